@@ -1,0 +1,67 @@
+# How everything of this project is compiled. Targets get it by linking to
+# mpm_granular_flags after deal_ii_setup_target(): an interface comes after the
+# target's own options on the command line, so -O3 here wins over deal.II's -O2.
+
+add_library(mpm_granular_flags INTERFACE)
+target_compile_features(mpm_granular_flags INTERFACE cxx_std_17)
+target_include_directories(mpm_granular_flags INTERFACE
+  ${PROJECT_SOURCE_DIR}/include
+  ${PROJECT_BINARY_DIR}/include)
+target_link_libraries(mpm_granular_flags INTERFACE Boost::program_options)
+
+# -fPIC for everything: a precompiled header serves only files that are compiled
+# with the same setting.
+target_compile_options(mpm_granular_flags INTERFACE -Wall -Wextra -fPIC)
+
+if(MPM_WERROR)
+  target_compile_options(mpm_granular_flags INTERFACE -Werror)
+endif()
+
+if(CMAKE_BUILD_TYPE STREQUAL Release)
+  # Only what keeps IEEE results: no re-association, NaN stays NaN.
+  target_compile_options(mpm_granular_flags INTERFACE
+    -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # deal.II compiles with -fPIC; without this, g++ may not inline a function
+    # that another library could replace.
+    target_compile_options(mpm_granular_flags INTERFACE
+      -fno-semantic-interposition)
+  endif()
+  if(MPM_NATIVE)
+    target_compile_options(mpm_granular_flags INTERFACE -march=native)
+  endif()
+endif()
+
+if(MPM_SANITIZE)
+  target_compile_options(mpm_granular_flags INTERFACE
+    -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_link_options(mpm_granular_flags INTERFACE
+    -fsanitize=address,undefined)
+endif()
+
+if(MPM_PCH AND CMAKE_VERSION VERSION_LESS 3.16)
+  message(STATUS "Precompiled headers: off (they need CMake 3.16)")
+  set(MPM_PCH OFF)
+endif()
+
+if(MPM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(CCACHE_EXECUTABLE ccache)
+  if(CCACHE_EXECUTABLE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_EXECUTABLE})
+    if(MPM_PCH)
+      # What ccache asks for to cache files that use a precompiled header.
+      set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+        CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_EXECUTABLE})
+      target_compile_options(mpm_granular_flags INTERFACE
+        $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+    endif()
+  endif()
+endif()
+
+# set_up_target(TARGET): compile and link against deal.II with the flags above.
+# The signature of target_link_libraries() without a keyword is the one that
+# deal_ii_setup_target() uses, and CMake does not let them be mixed.
+macro(set_up_target target)
+  deal_ii_setup_target(${target})
+  target_link_libraries(${target} mpm_granular_flags)
+endmacro()

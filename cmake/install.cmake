@@ -1,0 +1,15 @@
+# "cmake --install build/release --prefix DIR": the program, the shipped inputs
+# with their meshes, the scripts and the documentation.
+
+include(GNUInstallDirs)
+
+install(TARGETS mpm_granular RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DATADIR}/mpm_granular
+  FILES_MATCHING
+    PATTERN "*.prm" PATTERN "*.msh" PATTERN "*.geo" PATTERN "*.md")
+install(DIRECTORY scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/mpm_granular
+  USE_SOURCE_PERMISSIONS
+  FILES_MATCHING PATTERN "*.py" PATTERN "*.sh")
+install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.bib" PATTERN "*.png")
+install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,146 @@
+#ifndef mpm_granular_grid_nodal_fields_h
+#define mpm_granular_grid_nodal_fields_h
+
+#include <mpm_granular/grid/cell_sums.h>
+#include <mpm_granular/mesh/background_mesh.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace mpm_granular::Grid
+{
+  /// What a node receives from the points.
+  template <int dim>
+  struct NodeSums
+  {
+    double                 mass     = 0.; ///< [kg]
+    dealii::Tensor<1, dim> momentum;      ///< [kg m/s]
+    dealii::Tensor<1, dim> force;         ///< internal force [N]
+    dealii::Tensor<1, dim> load;          ///< tractions on the mesh boundary [N]
+  };
+
+  /// What the points receive from a node, side by side because it is read
+  /// together.
+  template <int dim>
+  struct NodeMotion
+  {
+    dealii::Tensor<1, dim> velocity;  ///< after the step, moves points (T13)
+    dealii::Tensor<1, dim> change;    ///< added to the points' velocity (T14)
+    dealii::Tensor<1, dim> straining; ///< whose gradient strains points (T15)
+  };
+
+  /**
+   * The fields of the grid on *active* cells and nodes only: cells that hold
+   * points, and their nodes. Both are stored compactly, in the order in which
+   * points meet them; a domain with more empty cells costs nothing here.
+   *
+   * "Slot" is the place of a cell or node in the compact arrays.
+   */
+  template <int dim>
+  class NodalFields
+  {
+  public:
+    explicit NodalFields(const Mesh::BackgroundMesh<dim> &mesh);
+
+    /// Forgets all active cells and their sums; nodes stay until
+    /// gather_nodes().
+    void
+    clear_cells()
+    {
+      active_cells.clear();
+      cell_sums.clear();
+    }
+
+    /// The sums of a cell, which becomes active (with zero sums) if it was not.
+    CellSums<dim> &
+    sums_of(const unsigned int cell)
+    {
+      const unsigned int slot = cell_slot[cell];
+      // A slot says who owns it, so slots need no clearing.
+      if (slot < active_cells.size() && active_cells[slot] == cell)
+        return cell_sums[slot];
+      cell_slot[cell] = active_cells.size();
+      active_cells.push_back(cell);
+      cell_sums.emplace_back();
+      return cell_sums.back();
+    }
+
+    bool
+    is_active_cell(const unsigned int cell) const
+    {
+      return cell_slot[cell] < active_cells.size() &&
+             active_cells[cell_slot[cell]] == cell;
+    }
+
+    /// Sets the stress sums of all active cells to zero.
+    void
+    clear_stresses()
+    {
+      for (auto &sums : cell_sums)
+        sums.stress = {};
+    }
+
+    /// Makes the nodes of the active cells the active nodes and sums their mass,
+    /// momentum and internal force from the cells (T9).
+    void
+    gather_nodes();
+
+    /// Sets the internal forces of the nodes from the stresses of the cells: for
+    /// stresses that are known only after the masses.
+    void
+    gather_forces();
+
+    /**
+     * Adds (sampled consistent mass matrix) . @p field to @p result (T16).
+     *
+     * @param field one vector per active node, by slot.
+     */
+    void
+    add_mass_times(const std::vector<dealii::Tensor<1, dim>> &field,
+                   std::vector<dealii::Tensor<1, dim>>       &result) const;
+
+    unsigned int
+    n_active_nodes() const
+    {
+      return active_nodes.size();
+    }
+
+    bool
+    is_active_node(const unsigned int node) const
+    {
+      return node_slot[node] < active_nodes.size() &&
+             active_nodes[node_slot[node]] == node;
+    }
+
+    /// Slot of an active node.
+    unsigned int
+    slot_of(const unsigned int node) const
+    {
+      return node_slot[node];
+    }
+
+    /// Slots of the nodes of a cell.
+    using CellNodes = std::array<unsigned int, dim + 1>;
+
+    std::vector<unsigned int>    active_cells; ///< flat cell by slot
+    std::vector<CellSums<dim>>   cell_sums;    ///< by cell slot
+    std::vector<CellNodes>       cell_nodes;   ///< by cell slot
+    std::vector<unsigned int>    active_nodes; ///< node by slot
+    std::vector<NodeSums<dim>>   sums;         ///< by node slot
+    std::vector<NodeMotion<dim>> motion;       ///< by node slot
+
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    void
+    activate_nodes();
+
+    const Mesh::BackgroundMesh<dim> &mesh;
+    std::vector<unsigned int>        cell_slot; ///< by flat cell
+    std::vector<unsigned int>        node_slot; ///< by node
+  };
+} // namespace mpm_granular::Grid
+
+#endif

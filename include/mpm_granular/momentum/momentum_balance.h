@@ -1,0 +1,101 @@
+#ifndef mpm_granular_momentum_momentum_balance_h
+#define mpm_granular_momentum_momentum_balance_h
+
+#include <mpm_granular/momentum/mass_matrix.h>
+#include <mpm_granular/parameters/choice.h>
+
+#include <vector>
+
+namespace mpm_granular::Momentum
+{
+  /// Settings of the momentum balance.
+  template <int dim>
+  struct MomentumParameters : Parameters::ParameterGroup
+  {
+    MomentumParameters();
+
+    Parameters::Choice<MassMatrix<dim>> mass_matrix;
+    double mass_cut_off = 1e-8; ///< of a full node's mass
+
+    void
+    add_parameters(dealii::ParameterHandler &prm) override;
+
+    void
+    check() const override;
+  };
+
+  /// Work done on the grid in one step, for the energy ledger (T28) [J].
+  struct GridWork
+  {
+    double total    = 0; ///< by all impulses, at the mean nodal velocity
+    double boundary = 0; ///< the part of constraints and tractions
+
+    /// Stress power of the new velocity minus that of the straining velocity:
+    /// what re-mapping takes.
+    double straining_loss = 0;
+  };
+
+  /// What a step's velocities depend on besides the fields.
+  template <int dim>
+  struct StepInput
+  {
+    double                                time_step;  ///< [s]
+    double                                pic_factor; ///< c in (T14), 0..1
+    dealii::Tensor<1, dim>                gravity;    ///< [m/s^2]
+    const Grid::VelocityConstraints<dim> &constraints;
+  };
+
+  /**
+   * The momentum balance on the active nodes: old velocity from the points'
+   * momentum, new velocity from the forces (T12), what the points take from them
+   * (T14), and the re-mapped velocity of MUSL (T16).
+   */
+  template <int dim>
+  class MomentumBalance
+  {
+  public:
+    MomentumBalance(const MomentumParameters<dim>   &parameters,
+                    const Mesh::BackgroundMesh<dim> &mesh,
+                    const double                     density);
+
+    /// Sets NodeMotion::straining to the velocity of the points' momentum, with
+    /// constraints: what strains points before the step (USF).
+    void
+    map_velocity(Grid::NodalFields<dim>               &fields,
+                 const Grid::VelocityConstraints<dim> &constraints);
+
+    /// Advances the velocities: NodeMotion::velocity and change.
+    void
+    advance(Grid::NodalFields<dim> &fields, const StepInput<dim> &step);
+
+    /// NodeMotion::straining = the new velocity (USL).
+    void
+    strain_with_velocity(Grid::NodalFields<dim> &fields) const;
+
+    /// NodeMotion::straining = the velocity that the points' new momentum gives
+    /// (MUSL).
+    void
+    remap_velocity(Grid::NodalFields<dim> &fields, const StepInput<dim> &step);
+
+    /// Work of the step, after all velocities are known.
+    GridWork
+    work(const Grid::NodalFields<dim> &fields, const StepInput<dim> &step) const;
+
+  private:
+    /// All forces on a node but the reactions of constraints.
+    dealii::Tensor<1, dim>
+    force(const Grid::NodalFields<dim> &fields,
+          const StepInput<dim>         &step,
+          const unsigned int            slot) const;
+
+    MassMatrix<dim>    &mass;
+    std::vector<double> least_mass; ///< by node: below, forces are dropped
+    NodalVectors<dim>   old_momentum;
+    NodalVectors<dim>   old_velocity;
+    NodalVectors<dim>   new_velocity;
+    NodalVectors<dim>   change;
+    NodalVectors<dim>   scratch;
+  };
+} // namespace mpm_granular::Momentum
+
+#endif

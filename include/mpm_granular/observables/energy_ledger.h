@@ -1,0 +1,18 @@
+#ifndef mpm_granular_observables_energy_ledger_h
+#define mpm_granular_observables_energy_ledger_h
+
+namespace mpm_granular::Observables
+{
+  /**
+   * The energies that have left or entered the points since the start, summed
+   * step by step where they arise (T28) [J, in 2D J/m].
+   */
+  struct EnergyLedger
+  {
+    double dissipated    = 0; ///< taken by the laws
+    double boundary_work = 0; ///< done on the body by constraints and tractions
+    double transfer_loss = 0; ///< lost between points and grid
+  };
+} // namespace mpm_granular::Observables
+
+#endif

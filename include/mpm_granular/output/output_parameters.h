@@ -1,0 +1,36 @@
+#ifndef mpm_granular_output_output_parameters_h
+#define mpm_granular_output_output_parameters_h
+
+#include <deal.II/base/data_out_base.h>
+
+#include <mpm_granular/parameters/parameter_group.h>
+
+#include <string>
+#include <vector>
+
+namespace mpm_granular::Output
+{
+  /// What is written, where, and how often. Entries of the current subsection.
+  struct OutputParameters : public Parameters::ParameterGroup
+  {
+    std::string              directory            = "output";
+    double                   interval             = 0.1;  ///< [s]
+    double                   observables_interval = 0.01; ///< [s]
+    double                   progress_interval    = 10.;  ///< wall time [s]
+    std::vector<std::string> point_fields         = {"all"};
+    bool                     write_grid           = false;
+    std::string              compression          = "fast";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm) override;
+
+    void
+    check() const override;
+
+    /// The flags of deal.II for VTU files.
+    dealii::DataOutBase::VtkFlags
+    vtk_flags() const;
+  };
+} // namespace mpm_granular::Output
+
+#endif

@@ -1,0 +1,97 @@
+#ifndef mpm_granular_output_vtu_file_h
+#define mpm_granular_output_vtu_file_h
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace mpm_granular::Output
+{
+  /// A quantity to be written, as a function of the index of a node.
+  struct Field
+  {
+    std::string  name;
+    std::string  unit;
+    unsigned int n_components; ///< 1, or dim for a vector
+
+    /// The value of a component at a node.
+    std::function<double(const std::size_t node, const unsigned int component)>
+      value;
+  };
+
+  /**
+   * What a VTU file shows: @p n_items simplices of dimension @p item_dim (0 for
+   * points) with nodal fields. Nothing is copied; pieces are converted one
+   * after the other.
+   */
+  template <int item_dim, int dim>
+  struct VtuContents
+  {
+    std::size_t n_items;
+
+    /// The nodes of an item.
+    std::function<std::array<std::size_t, item_dim + 1>(const std::size_t)>
+      nodes;
+
+    /// The position of a node [m].
+    std::function<dealii::Point<dim>(const std::size_t)> position;
+
+    std::vector<Field> fields;
+  };
+
+  /**
+   * Writes a VTU file with the functions of deal.II, in pieces of at most
+   * 65,536 items, so that the memory this takes does not grow with the run.
+   *
+   * @param out where to.
+   * @param flags compression, time and the like.
+   * @param contents what.
+   */
+  template <int item_dim, int dim>
+  void
+  write_vtu(std::ostream                        &out,
+            const dealii::DataOutBase::VtkFlags &flags,
+            const VtuContents<item_dim, dim>    &contents);
+
+  /**
+   * A series of VTU files over time, `NAME/NAME-00000.vtu` and so on, with the
+   * record `NAME.pvd` that ParaView opens.
+   */
+  class VtuSeries
+  {
+  public:
+    /**
+     * @param folder the run's folder; it is looked at at the first write only.
+     * @param name name of the series.
+     */
+    VtuSeries(const std::string &folder, const std::string &name);
+
+    /**
+     * Writes the next file and the record, each atomically.
+     *
+     * @param time [s].
+     * @param write writes the VTU file to the stream it is given.
+     */
+    void
+    add(const double time, const std::function<void(std::ostream &)> &write);
+
+    unsigned int
+    n_files() const
+    {
+      return times_and_names.size();
+    }
+
+  private:
+    std::string                                 folder;
+    std::string                                 name;
+    std::vector<std::pair<double, std::string>> times_and_names;
+  };
+} // namespace mpm_granular::Output
+
+#endif

@@ -1,0 +1,29 @@
+#ifndef mpm_granular_parameters_run_info_h
+#define mpm_granular_parameters_run_info_h
+
+#include <string>
+
+namespace mpm_granular::Parameters
+{
+  /// What a run knows of how it was called, beside its parameters.
+  struct RunInfo
+  {
+    /// The command line as typed, for the manifest.
+    std::string command_line;
+
+    /// The parameter file as named; see resolve_input_file() for the files that
+    /// its entries name.
+    std::string input_file;
+
+    /// Every entry with the value used, as a complete parameter file.
+    std::string parameter_text;
+
+    /// Whether the files of an earlier run may be replaced.
+    bool overwrite = false;
+
+    /// Whether to stop after the pre-flight report; nothing is written.
+    bool check_only = false;
+  };
+} // namespace mpm_granular::Parameters
+
+#endif

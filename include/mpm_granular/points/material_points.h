@@ -1,0 +1,104 @@
+#ifndef mpm_granular_points_material_points_h
+#define mpm_granular_points_material_points_h
+
+#include <mpm_granular/mesh/background_mesh.h>
+#include <mpm_granular/points/point_arrays.h>
+#include <mpm_granular/points/point_layout.h>
+
+#include <deal.II/particles/particle_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace mpm_granular::Points
+{
+  /**
+   * The material points, in two forms of one truth.
+   *
+   * The working set (arrays()) is what the time step runs on. deal.II's
+   * ParticleHandler (handler()) is how points are created and how they are
+   * handed to anything of deal.II: it is filled by publish() and emptied by
+   * load(), so that the memory of both is held at such moments only.
+   */
+  template <int dim>
+  class MaterialPoints
+  {
+  public:
+    /**
+     * @param history_names history slots of the laws, over all materials.
+     */
+    MaterialPoints(const Mesh::BackgroundMesh<dim> &mesh,
+                   std::vector<std::string>         history_names);
+
+    /// Creates points of a material in the handler, at rest and without stress.
+    /// @param density mass per initial volume [kg/m^3].
+    void
+    insert(const std::vector<Seed<dim>> &seeds,
+           const unsigned int            material,
+           const double                  density);
+
+    /// Moves all points from the handler to the working set.
+    void
+    load();
+
+    /// Copies the working set to the handler.
+    void
+    publish();
+
+    /// The working set.
+    PointArrays<dim> &
+    arrays()
+    {
+      return working_set;
+    }
+
+    const PointArrays<dim> &
+    arrays() const
+    {
+      return working_set;
+    }
+
+    const std::vector<std::string> &
+    history_names() const
+    {
+      return names;
+    }
+
+    /// deal.II's view of the points; empty unless published.
+    const dealii::Particles::ParticleHandler<dim> &
+    handler() const
+    {
+      return particles;
+    }
+
+    /// Names of the handler's properties, in their order.
+    std::vector<std::string>
+    property_names() const;
+
+    /// Sorts the working set by host cell (stable, linear in the number of
+    /// points).
+    void
+    order();
+
+    /// Removes the points whose cell is no_cell.
+    /// @return how many there were.
+    std::size_t
+    remove_lost();
+
+    /// Memory of both forms [bytes].
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    void
+    permute(const std::vector<unsigned int> &permutation);
+
+    const Mesh::BackgroundMesh<dim>        &mesh;
+    std::vector<std::string>                names;
+    PointArrays<dim>                        working_set;
+    dealii::Particles::ParticleHandler<dim> particles;
+    std::vector<unsigned int>               n_in_cell; ///< zero between calls
+  };
+} // namespace mpm_granular::Points
+
+#endif

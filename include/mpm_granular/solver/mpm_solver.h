@@ -1,0 +1,157 @@
+#ifndef mpm_granular_solver_mpm_solver_h
+#define mpm_granular_solver_mpm_solver_h
+
+#include <mpm_granular/observables/snapshot.h>
+#include <mpm_granular/points/material_points.h>
+#include <mpm_granular/solver/run_parameters.h>
+#include <mpm_granular/solver/sweep.h>
+
+#include <string>
+#include <vector>
+
+namespace mpm_granular::Solver
+{
+  /**
+   * The material point method: a mesh, points on it, and the time step that
+   * advances them (section 2 of doc/theory.md). It computes; what is written and
+   * when is up to Run.
+   */
+  template <int dim>
+  class MPMSolver
+  {
+  public:
+    /**
+     * Makes mesh and points and sets the initial state.
+     *
+     * @param parameters must live as long.
+     * @param input_file the parameter file that file names are relative to.
+     * @throws InputError where the parameters cannot be right.
+     */
+    MPMSolver(const RunParameters<dim> &parameters,
+              const std::string        &input_file);
+
+    /// Advances by one time step, which does not pass @p next_event [s].
+    /// @throws ComputationError if the result makes no sense.
+    void
+    advance_one_step(const double next_event);
+
+    /// The state now, for observables and output.
+    Observables::Snapshot<dim>
+    snapshot() const;
+
+    const Mesh::BackgroundMesh<dim> &
+    background_mesh() const
+    {
+      return mesh;
+    }
+
+    const Points::MaterialPoints<dim> &
+    material_points() const
+    {
+      return points;
+    }
+
+    const Grid::NodalFields<dim> &
+    nodal_fields() const
+    {
+      return fields;
+    }
+
+    const std::vector<const Materials::ConstitutiveLaw<dim> *> &
+    material_laws() const
+    {
+      return laws;
+    }
+
+    double
+    time() const ///< [s]
+    {
+      return current_time;
+    }
+
+    unsigned int
+    step() const
+    {
+      return n_steps;
+    }
+
+    double
+    time_step() const ///< the last one [s]
+    {
+      return last_time_step;
+    }
+
+    double
+    kinetic_energy() const ///< of the points [J], in 2D [J/m]
+    {
+      return motion.kinetic_energy;
+    }
+
+    std::size_t
+    n_lost_points() const
+    {
+      return n_lost;
+    }
+
+    /// Limits of the time step for the present active cells.
+    Time::StepLimits
+    step_limits() const;
+
+    /// Remarks on the input that do not stop a run.
+    const std::vector<std::string> &
+    warnings() const
+    {
+      return remarks;
+    }
+
+    /// Memory of all that the computation holds [bytes].
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    void
+    create_points(const std::string &input_file);
+    void
+    set_initial_state();
+    void
+    find_cell_limits();
+    void
+    move_and_strain(const Momentum::StepInput<dim> &step);
+    void
+    update_ledger(const Momentum::StepInput<dim> &step,
+                  const SweepResult              &sweep_result);
+    void
+    check_points(const SweepResult &sweep_result);
+    void
+    keep_order(const SweepResult &sweep_result);
+
+    const RunParameters<dim>                            &parameters;
+    Mesh::BackgroundMesh<dim>                            mesh;
+    std::vector<const Materials::ConstitutiveLaw<dim> *> laws;
+    Points::MaterialPoints<dim>                          points;
+    Grid::NodalFields<dim>                               fields;
+    Boundary::BoundaryManager<dim>                       boundary;
+    Momentum::MomentumBalance<dim>                       momentum;
+    Time::StepControl                                    step_control;
+    Sweep<dim>                                           sweep;
+
+    /// What a cell, if it is active, limits the time step by.
+    struct CellLimits
+    {
+      double critical_step; ///< stability limit [s]
+      double altitude;      ///< [m]
+    };
+
+    std::vector<CellLimits>   cell_limits; ///< by flat cell
+    std::vector<std::string>  remarks;
+    Points::Motion            motion;
+    Observables::EnergyLedger ledger;
+    double                    current_time   = 0.;
+    double                    last_time_step = 0.;
+    unsigned int              n_steps        = 0;
+    std::size_t               n_lost         = 0;
+    std::size_t               n_runs_in_order = 0;
+  };
+} // namespace mpm_granular::Solver
+
+#endif

@@ -1,0 +1,86 @@
+#ifndef mpm_granular_solver_run_h
+#define mpm_granular_solver_run_h
+
+#include <mpm_granular/output/console.h>
+#include <mpm_granular/output/grid_output.h>
+#include <mpm_granular/output/manifest.h>
+#include <mpm_granular/output/points_output.h>
+#include <mpm_granular/output/preflight.h>
+#include <mpm_granular/output/run_folder.h>
+#include <mpm_granular/output/schedule.h>
+#include <mpm_granular/output/timings.h>
+#include <mpm_granular/parameters/run_info.h>
+#include <mpm_granular/solver/mpm_solver.h>
+
+#include <cstdint>
+#include <string>
+
+namespace mpm_granular::Solver
+{
+  /// How a run ended, if not with an exception.
+  enum class Outcome
+  {
+    finished,
+    interrupted ///< by a signal, after a last output
+  };
+
+  /**
+   * A run: the computation from start to end, with what is said and written on
+   * the way.
+   */
+  template <int dim>
+  class Run
+  {
+  public:
+    /// Sets the computation up; writes nothing.
+    /// @throws InputError where the input cannot be right.
+    Run(RunParameters<dim> &parameters, const Parameters::RunInfo &info);
+
+    /// What the run will be: sizes, limits, estimates, warnings.
+    Output::Preflight
+    preflight() const;
+
+    /**
+     * Says the pre-flight report and, unless only that is wanted, computes until
+     * the end time or a signal and writes all output.
+     *
+     * @throws InputError if the output folder cannot be used.
+     * @throws ComputationError if the computation fails, after a last output.
+     */
+    Outcome
+    execute();
+
+  private:
+    void
+    open_output();
+    Outcome
+    compute();
+    double
+    next_event() const;
+    void
+    write_observables();
+    void
+    write_fields();
+    void
+    close_output(const Output::Manifest::Outcome outcome,
+                 const std::string              &message);
+
+    RunParameters<dim>       &parameters;
+    const Parameters::RunInfo info;
+    MPMSolver<dim>            solver;
+    Output::RunFolder         folder;
+    Output::Console           console;
+    Output::PointsOutput<dim> points_output;
+    Output::GridOutput<dim>   grid_output;
+    Output::Manifest          manifest;
+    Output::Timings           timings;
+    Output::Schedule          field_times;
+    Output::Schedule          observable_times;
+    std::uint64_t             n_point_steps = 0;
+    double                    last_written  = -1.; ///< fields, time [s]
+
+    const unsigned int in_steps, in_observables, in_fields; ///< of timings
+  };
+} // namespace mpm_granular::Solver
+
+#endif

@@ -1,0 +1,65 @@
+#ifndef mpm_granular_solver_run_parameters_h
+#define mpm_granular_solver_run_parameters_h
+
+#include <mpm_granular/boundary/boundary_manager.h>
+#include <mpm_granular/materials/constitutive_law.h>
+#include <mpm_granular/mesh/mesh_source.h>
+#include <mpm_granular/momentum/body_force.h>
+#include <mpm_granular/momentum/momentum_balance.h>
+#include <mpm_granular/observables/observables_table.h>
+#include <mpm_granular/output/output_parameters.h>
+#include <mpm_granular/parameters/choice.h>
+#include <mpm_granular/points/initial_state.h>
+#include <mpm_granular/points/region.h>
+#include <mpm_granular/time/step_control.h>
+#include <mpm_granular/transfer/velocity_update.h>
+
+#include <string>
+
+namespace mpm_granular::Solver
+{
+  /// A material: a law and its entries.
+  template <int dim>
+  struct Material : Parameters::ParameterGroup
+  {
+    Material();
+
+    Parameters::Choice<Materials::ConstitutiveLaw<dim>> law;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm) override;
+
+    void
+    check() const override;
+  };
+
+  /// All settings of a run: those of every room, side by side.
+  template <int dim>
+  struct RunParameters : Parameters::ParameterGroup
+  {
+    RunParameters();
+
+    double end_time = 1.; ///< [s]
+    bool   remove_lost_points = false;
+
+    Parameters::Choice<Mesh::MeshSource<dim>>    mesh;
+    Parameters::NamedGroups<Material<dim>>       materials;
+    Parameters::NamedGroups<Points::Region<dim>> regions;
+    Points::InitialState<dim>                    initial_state;
+    Boundary::BoundarySettings<dim>              boundary_conditions;
+    Momentum::BodyForce<dim>                     body_force;
+    Transfer::TransferParameters                 transfer;
+    Momentum::MomentumParameters<dim>            momentum;
+    Time::StepParameters                         time_step;
+    Output::OutputParameters                     output;
+    Observables::ObservablesTable<dim>           observables;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm) override;
+
+    void
+    check() const override;
+  };
+} // namespace mpm_granular::Solver
+
+#endif

@@ -1,0 +1,90 @@
+#ifndef mpm_granular_solver_sweep_h
+#define mpm_granular_solver_sweep_h
+
+#include <mpm_granular/grid/nodal_fields.h>
+#include <mpm_granular/materials/constitutive_law.h>
+#include <mpm_granular/materials/stress_update.h>
+#include <mpm_granular/points/motion.h>
+#include <mpm_granular/transfer/grid_to_points.h>
+#include <mpm_granular/transfer/point_block.h>
+
+#include <vector>
+
+namespace mpm_granular::Solver
+{
+  /// What a sweep over the points found.
+  struct SweepResult
+  {
+    Points::Motion motion;                         ///< after the step
+    double         dissipated = 0.;                ///< by the laws [J]
+    unsigned int   lost_point = Transfer::no_point; ///< the first, or no_point
+    std::size_t    n_runs     = 0; ///< of points in the same cell
+  };
+
+  /**
+   * The one pass over the points of a time step. It goes block by block, so that
+   * the points of a block stay in the first-level cache from reading them once
+   * to writing them once, while grid to points, law, walk and points to grid
+   * each do their part.
+   */
+  template <int dim>
+  class Sweep
+  {
+  public:
+    /// @param laws by material index; must live as long.
+    Sweep(const Mesh::BackgroundMesh<dim>                            &mesh,
+          const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws);
+
+    /// Sums the points as they are to the cells: before the first step, and
+    /// whenever the points have changed outside of a step.
+    SweepResult
+    project(Points::PointArrays<dim> &points, Grid::NodalFields<dim> &fields);
+
+    /// Moves and strains the points with the grid's velocities and sums them to
+    /// their new cells (USL, MUSL).
+    SweepResult
+    advance(Points::PointArrays<dim> &points,
+            Grid::NodalFields<dim>   &fields,
+            const double              time_step,
+            const double              pic_factor);
+
+    /// Strains the points where they are and sums their stresses to their
+    /// cells: the first of two passes of USF.
+    /// @return energy dissipated by the laws [J].
+    double
+    strain(Points::PointArrays<dim> &points,
+           Grid::NodalFields<dim>   &fields,
+           const double              time_step);
+
+    /// Moves the points with the grid's velocities and sums mass and momentum to
+    /// their new cells: the second pass of USF.
+    SweepResult
+    move(Points::PointArrays<dim> &points,
+         Grid::NodalFields<dim>   &fields,
+         const double              time_step,
+         const double              pic_factor);
+
+  private:
+    /// Calls @p action for every block of points.
+    template <class Action>
+    void
+    for_each_block(Points::PointArrays<dim> &points, Action &&action);
+
+    /// Finds the new cells of the block's points and sums mass and momentum to
+    /// them.
+    void
+    relocate_and_sum(Points::PointArrays<dim> &points,
+                     Grid::NodalFields<dim>   &fields,
+                     SweepResult              &result);
+
+    /// Updates the stresses of the block, law by law.
+    double
+    update_stresses(Points::PointArrays<dim> &points, const double time_step);
+
+    const Mesh::BackgroundMesh<dim>                            &mesh;
+    const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws;
+    Transfer::PointBlock<dim>                                   block;
+  };
+} // namespace mpm_granular::Solver
+
+#endif

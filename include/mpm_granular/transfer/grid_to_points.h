@@ -1,0 +1,50 @@
+#ifndef mpm_granular_transfer_grid_to_points_h
+#define mpm_granular_transfer_grid_to_points_h
+
+#include <mpm_granular/grid/nodal_fields.h>
+#include <mpm_granular/mesh/background_mesh.h>
+#include <mpm_granular/transfer/point_block.h>
+
+#include <limits>
+
+namespace mpm_granular::Transfer
+{
+  /// Moves the points of a block with the grid (T13) and updates their
+  /// velocities (T14).
+  template <int dim>
+  void
+  move_points(const Mesh::BackgroundMesh<dim> &mesh,
+              const Grid::NodalFields<dim>    &fields,
+              const PointBlock<dim>           &block,
+              const double                     time_step,
+              const double                     pic_factor,
+              Points::PointArrays<dim>        &points);
+
+  /// Sets the block's velocity gradients from the straining velocity of the
+  /// grid (T15).
+  template <int dim>
+  void
+  evaluate_gradients(const Mesh::BackgroundMesh<dim> &mesh,
+                     const Grid::NodalFields<dim>    &fields,
+                     const Points::PointArrays<dim>  &points,
+                     PointBlock<dim>                 &block);
+
+  /// No point is lost.
+  inline constexpr unsigned int no_point =
+    std::numeric_limits<unsigned int>::max();
+
+  /**
+   * Finds the host cells of the block's points at their new places and their
+   * shape values there.
+   *
+   * @return the first point that has left the mesh (its cell is Mesh::no_cell),
+   *   or no_point.
+   */
+  template <int dim>
+  unsigned int
+  relocate(const Mesh::BackgroundMesh<dim> &mesh,
+           Points::PointArrays<dim>        &points,
+           PointBlock<dim>                 &block);
+} // namespace mpm_granular::Transfer
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef mpm_granular_transfer_point_block_h
+#define mpm_granular_transfer_point_block_h
+
+#include <mpm_granular/points/point_arrays.h>
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <vector>
+
+namespace mpm_granular::Transfer
+{
+  /**
+   * Some hundred consecutive points, the unit in which the sweep works: small
+   * enough to stay in the first-level cache while it goes from room to room,
+   * large enough that calls and set-up do not count.
+   */
+  template <int dim>
+  struct PointBlock
+  {
+    /// Points per block; a run that begins within it is taken whole.
+    static constexpr unsigned int target_size = 192;
+
+    std::vector<Points::Run>               runs; ///< one cell and material each
+    std::vector<dealii::Tensor<2, dim>>    gradients; ///< of velocity, per run
+
+    /// Shape values of the points at their new places, by node and place in the
+    /// block.
+    std::array<std::vector<double>, dim + 1> shape_values;
+
+    unsigned int begin = 0; ///< first point
+    unsigned int end   = 0; ///< past the last point
+
+    /// Makes this the block of runs that starts at point @p first.
+    void
+    reinit(const Points::PointArrays<dim> &points, const unsigned int first);
+  };
+} // namespace mpm_granular::Transfer
+
+#endif

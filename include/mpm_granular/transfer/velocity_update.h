@@ -1,0 +1,39 @@
+#ifndef mpm_granular_transfer_velocity_update_h
+#define mpm_granular_transfer_velocity_update_h
+
+#include <mpm_granular/parameters/parameter_group.h>
+
+#include <string>
+
+namespace mpm_granular::Transfer
+{
+  /// Which velocity strains the points, and when (T15).
+  enum class StressOrder
+  {
+    update_stress_first, ///< USF: the mapped old velocity, before the forces
+    update_stress_last,  ///< USL: the new velocity
+    modified_update_stress_last ///< MUSL: the points' new momentum re-mapped
+  };
+
+  /// Settings of the transfer between points and grid.
+  struct TransferParameters : Parameters::ParameterGroup
+  {
+    void
+    add_parameters(dealii::ParameterHandler &prm) override;
+
+    StressOrder
+    stress_order() const;
+
+    /// The part c of the points' velocity that is replaced by the grid's in a
+    /// step (T14): 0 is FLIP, 1 is PIC.
+    double
+    pic_factor(const double time_step) const;
+
+  private:
+    std::string order           = "MUSL";
+    std::string velocity_update = "blend";
+    double      pic_rate        = 3.; ///< [1/s]
+  };
+} // namespace mpm_granular::Transfer
+
+#endif

@@ -1,0 +1,213 @@
+#include <mpm_granular/boundary/boundary_manager.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <map>
+#include <set>
+
+namespace mpm_granular::Boundary
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int none = numbers::invalid_unsigned_int;
+
+    /// Faces whose normals differ by less than this belong to one curved
+    /// surface, with one normal at their common node: cos(45 degrees).
+    constexpr double same_surface = 0.7071;
+
+    /// What is left of a direction after the ones before it has to be more than
+    /// this to count as a direction of its own.
+    constexpr double independent = 1e-3;
+
+    /// Adds a face's normal to those of a node, weighted by the face's area.
+    template <int dim>
+    void
+    add_normal(std::vector<Tensor<1, dim>> &normals,
+               const Mesh::BoundaryFace<dim> &face)
+    {
+      for (auto &normal : normals)
+        if (normal * face.normal > same_surface * normal.norm())
+          {
+            normal += face.area * face.normal;
+            return;
+          }
+      normals.push_back(face.area * face.normal);
+    }
+  } // namespace
+
+  template <int dim>
+  BoundarySetting<dim>::BoundarySetting()
+    : condition("free")
+  {}
+
+  template <int dim>
+  void
+  BoundarySetting<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Boundaries",
+                      boundaries,
+                      "Boundaries the condition is for, by their names in the "
+                      "mesh file (x_min, x_max, ... for a box) or their ids.");
+    condition.add_parameters(prm, "Type", "What holds or loads the material there:");
+  }
+
+  template <int dim>
+  void
+  BoundarySetting<dim>::check() const
+  {
+    condition->check();
+  }
+
+  template <int dim>
+  BoundaryManager<dim>::BoundaryManager(const BoundarySettings<dim> &settings,
+                                        const Mesh::BackgroundMesh<dim> &mesh)
+    : mesh(mesh)
+    , entry_of_node(mesh.n_nodes(), none)
+  {
+    find_directions(settings);
+  }
+
+  template <int dim>
+  void
+  BoundaryManager<dim>::find_directions(const BoundarySettings<dim> &settings)
+  {
+    std::set<types::boundary_id> without_condition;
+    for (const auto &face : mesh.boundary_faces())
+      without_condition.insert(face.boundary);
+
+    for (const auto &name : settings.all_names())
+      {
+        const auto &setting   = settings[name];
+        const auto &condition = *setting.condition;
+
+        std::set<types::boundary_id> ids;
+        for (const auto &boundary : setting.boundaries)
+          ids.insert(
+            Mesh::id_by_name(mesh.boundary_names(), boundary, "boundary"));
+        for (const auto id : ids)
+          without_condition.erase(id);
+
+        std::map<unsigned int, std::vector<Tensor<1, dim>>> normals;
+        for (const auto &face : mesh.boundary_faces())
+          if (ids.count(face.boundary) > 0)
+            {
+              for (const unsigned int node : face.node)
+                add_normal(normals[node], face);
+              if (condition.has_traction())
+                loaded_faces.push_back({&condition, face});
+            }
+
+        for (const auto &[node, node_normals] : normals)
+          for (const auto &normal : node_normals)
+            for (const auto &given :
+                 condition.prescribed_directions(normal / normal.norm()))
+              {
+                if (entry_of_node[node] == none)
+                  {
+                    entry_of_node[node] = nodes.size();
+                    nodes.push_back({node, {}});
+                  }
+                auto          &directions = nodes[entry_of_node[node]].directions;
+                Tensor<1, dim> rest       = given;
+                for (const auto &before : directions)
+                  rest -= (rest * before.orthonormal) * before.orthonormal;
+                if (rest.norm() > independent)
+                  directions.push_back({&condition, given, rest / rest.norm()});
+              }
+      }
+
+    std::string open;
+    for (const auto id : without_condition)
+      {
+        std::string boundary = "id " + std::to_string(id);
+        for (const auto &[name, named_id] : mesh.boundary_names())
+          if (named_id == id)
+            boundary = name;
+        open += (open.empty() ? "" : ", ") + boundary;
+      }
+    require(open.empty(),
+            "No boundary condition for: " + open +
+              ". Give one under 'Boundary conditions' ('free' leaves a boundary "
+              "open).");
+  }
+
+  template <int dim>
+  void
+  BoundaryManager<dim>::update(const Grid::NodalFields<dim> &fields,
+                               const double                  time,
+                               const double                  time_step)
+  {
+    active.nodes.clear();
+    for (unsigned int slot = 0; slot < fields.n_active_nodes(); ++slot)
+      {
+        const unsigned int entry = entry_of_node[fields.active_nodes[slot]];
+        if (entry == none)
+          continue;
+        const Node                &node = nodes[entry];
+        Grid::NodeConstraint<dim>  constraint;
+        constraint.slot         = slot;
+        constraint.n_directions = node.directions.size();
+        for (unsigned int k = 0; k < node.directions.size(); ++k)
+          {
+            const Direction &direction = node.directions[k];
+            const Tensor<1, dim> velocity =
+              direction.condition->velocity(mesh.node_position(node.node),
+                                            time,
+                                            time_step);
+            // The given direction is the sum of its components along the
+            // orthonormal ones; so is the velocity along it.
+            double target = velocity * direction.given;
+            for (unsigned int j = 0; j < k; ++j)
+              target -= (direction.given * constraint.direction[j]) *
+                        constraint.target[j];
+            constraint.direction[k] = direction.orthonormal;
+            constraint.target[k] =
+              target / (direction.given * direction.orthonormal);
+          }
+        active.nodes.push_back(constraint);
+      }
+  }
+
+  template <int dim>
+  void
+  BoundaryManager<dim>::add_tractions(Grid::NodalFields<dim> &fields,
+                                      const double            time) const
+  {
+    if (loaded_faces.empty())
+      return;
+    const QGaussSimplex<dim - 1> quadrature(2);
+    double                       reference_area = 0.;
+    for (const double weight : quadrature.get_weights())
+      reference_area += weight;
+
+    for (const auto &loaded : loaded_faces)
+      if (fields.is_active_cell(loaded.face.cell))
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            std::array<double, dim> shape_values; // on the face's nodes
+            shape_values[0] = 1.;
+            for (unsigned int k = 1; k < dim; ++k)
+              {
+                shape_values[k] = quadrature.point(q)[k - 1];
+                shape_values[0] -= shape_values[k];
+              }
+            Point<dim> place;
+            for (unsigned int k = 0; k < dim; ++k)
+              place +=
+                shape_values[k] * mesh.node_position(loaded.face.node[k]);
+            const Tensor<1, dim> force =
+              loaded.face.area * quadrature.weight(q) / reference_area *
+              loaded.condition->traction(place, time);
+            for (unsigned int k = 0; k < dim; ++k)
+              fields.sums[fields.slot_of(loaded.face.node[k])].load +=
+                shape_values[k] * force;
+          }
+  }
+
+  template struct BoundarySetting<2>;
+  template struct BoundarySetting<3>;
+  template class BoundaryManager<2>;
+  template class BoundaryManager<3>;
+} // namespace mpm_granular::Boundary

@@ -1,0 +1,41 @@
+#include <mpm_granular/core/signals.h>
+
+#include <atomic>
+#include <csignal>
+
+namespace mpm_granular::Core
+{
+  namespace
+  {
+    std::atomic<int> received_signal{0};
+    static_assert(std::atomic<int>::is_always_lock_free,
+                  "a signal handler may use lock-free atomics only");
+
+    extern "C" void
+    receive_stop_signal(const int signal_number)
+    {
+      if (received_signal.exchange(signal_number) != 0)
+        {
+          std::signal(signal_number, SIG_DFL);
+          std::raise(signal_number);
+        }
+    }
+  } // namespace
+
+
+
+  void
+  catch_stop_signals()
+  {
+    std::signal(SIGINT, receive_stop_signal);
+    std::signal(SIGTERM, receive_stop_signal);
+  }
+
+
+
+  int
+  stop_signal()
+  {
+    return received_signal.load(std::memory_order_relaxed);
+  }
+} // namespace mpm_granular::Core

@@ -1,0 +1,126 @@
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <mpm_granular/core/exceptions.h>
+#include <mpm_granular/core/exit_code.h>
+#include <mpm_granular/core/signals.h>
+#include <mpm_granular/parameters/command_line.h>
+#include <mpm_granular/parameters/dimension.h>
+#include <mpm_granular/parameters/listing.h>
+#include <mpm_granular/parameters/parameter_file.h>
+#include <mpm_granular/parameters/run_info.h>
+#include <mpm_granular/solver/run.h>
+#include <mpm_granular/solver/run_parameters.h>
+
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace
+{
+  using namespace mpm_granular;
+  using Core::ExitCode;
+  using Parameters::CommandLine;
+
+
+
+  /// --print-parameters.
+  template <int dim>
+  void
+  print_parameters(const CommandLine &command_line)
+  {
+    using namespace Parameters;
+    Solver::RunParameters<dim> parameters;
+    const bool                 everything_possible =
+      command_line.file.empty() && command_line.print_style == Style::markdown;
+    write(everything_possible ?
+            documented_entries(parameters) :
+            read(parameters, command_line.file, command_line.overrides),
+          std::cout,
+          command_line.print_style);
+  }
+
+
+
+  /// Reads the parameter file, sets the run up, and runs it.
+  template <int dim>
+  ExitCode
+  run_case(const CommandLine &command_line)
+  {
+    Solver::RunParameters<dim> parameters;
+    const auto                 entries =
+      Parameters::read(parameters, command_line.file, command_line.overrides);
+    Parameters::check(parameters, command_line.file);
+
+    std::ostringstream text;
+    text << "# Every entry as used by\n#   " << command_line.text
+         << "\n# File names are relative to the folder of "
+         << std::filesystem::absolute(command_line.file).string() << "\n\n";
+    Parameters::write(entries, text, Parameters::Style::parameter_file);
+
+    Parameters::RunInfo info;
+    info.command_line   = command_line.text;
+    info.input_file     = command_line.file;
+    info.parameter_text = text.str();
+    info.overwrite      = command_line.overwrite;
+    info.check_only     = command_line.task == CommandLine::Task::check;
+
+    Solver::Run<dim> run(parameters, info);
+    if (!info.check_only)
+      Core::catch_stop_signals();
+    return run.execute() == Solver::Outcome::finished ? ExitCode::done :
+                                                        ExitCode::interrupted;
+  }
+
+
+
+  ExitCode
+  dispatch(const CommandLine &command_line)
+  {
+    using Task = CommandLine::Task;
+    if (command_line.task == Task::show_help)
+      std::cout << Parameters::usage();
+    else if (command_line.task == Task::show_version)
+      std::cout << Parameters::version_text();
+    else
+      {
+        const bool is_2d =
+          Parameters::read_dimension(command_line.file,
+                                     command_line.overrides) == 2;
+        if (command_line.task == Task::print_parameters)
+          is_2d ? print_parameters<2>(command_line) :
+                  print_parameters<3>(command_line);
+        else
+          return is_2d ? run_case<2>(command_line) : run_case<3>(command_line);
+      }
+    return ExitCode::done;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  // PETSc, which may be a part of deal.II, would take --help and --version for
+  // itself: it gets to see the name of the program only.
+  int                                            n_seen   = 1;
+  char                                          *seen[]   = {argv[0], nullptr};
+  char                                         **pointers = seen;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(n_seen, pointers, 1);
+
+  // Assertions of deal.II become exceptions, whose texts have no stack.
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+
+  return static_cast<int>(Core::run_and_report([&] {
+    const CommandLine command_line = Parameters::parse_command_line(argc, argv);
+    const auto        n_processes =
+      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    require(n_processes == 1,
+            "This version runs on one MPI process; it was started on " +
+              std::to_string(n_processes) + ".");
+    return dispatch(command_line);
+  }));
+}

@@ -1,0 +1,154 @@
+#include <mpm_granular/momentum/momentum_balance.h>
+
+namespace mpm_granular::Momentum
+{
+  using namespace dealii;
+
+  template <int dim>
+  MomentumParameters<dim>::MomentumParameters()
+    : mass_matrix("lumped")
+  {}
+
+  template <int dim>
+  void
+  MomentumParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    mass_matrix.add_parameters(prm, "Mass matrix", "Between velocity and momentum of nodes:");
+    prm.add_parameter("Mass cut-off",
+                      mass_cut_off,
+                      "A node with less than this part of the mass of a full "
+                      "node takes no force: its acceleration would be huge and "
+                      "without meaning. Units: -.",
+                      Patterns::Double(0., 1.));
+  }
+
+  template <int dim>
+  void
+  MomentumParameters<dim>::check() const
+  {
+    mass_matrix->check();
+  }
+
+  template <int dim>
+  MomentumBalance<dim>::MomentumBalance(
+    const MomentumParameters<dim>   &parameters,
+    const Mesh::BackgroundMesh<dim> &mesh,
+    const double                     density)
+    : mass(*parameters.mass_matrix)
+    , least_mass(mesh.n_nodes(), 0.)
+  {
+    mass.attach(mesh);
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      for (const unsigned int node : mesh.cell(cell).node)
+        least_mass[node] += parameters.mass_cut_off * density *
+                            mesh.cell_volume(cell) / (dim + 1);
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  MomentumBalance<dim>::force(const Grid::NodalFields<dim> &fields,
+                              const StepInput<dim>         &step,
+                              const unsigned int            slot) const
+  {
+    const auto    &node = fields.sums[slot];
+    Tensor<1, dim> sum  = node.mass * step.gravity;
+    if (node.mass > least_mass[fields.active_nodes[slot]])
+      sum += node.force + node.load;
+    return sum;
+  }
+
+  template <int dim>
+  void
+  MomentumBalance<dim>::map_velocity(
+    Grid::NodalFields<dim>               &fields,
+    const Grid::VelocityConstraints<dim> &constraints)
+  {
+    const unsigned int n = fields.n_active_nodes();
+    scratch.resize(n);
+    for (unsigned int i = 0; i < n; ++i)
+      scratch[i] = fields.sums[i].momentum;
+    mass.assemble(fields);
+    mass.solve(scratch, &constraints, old_velocity);
+    for (unsigned int i = 0; i < n; ++i)
+      fields.motion[i].straining = old_velocity[i];
+  }
+
+  template <int dim>
+  void
+  MomentumBalance<dim>::advance(Grid::NodalFields<dim> &fields,
+                                const StepInput<dim>   &step)
+  {
+    const unsigned int n = fields.n_active_nodes();
+    old_momentum.resize(n);
+    scratch.resize(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        old_momentum[i] = fields.sums[i].momentum;
+        scratch[i] = old_momentum[i] + step.time_step * force(fields, step, i);
+      }
+    mass.assemble(fields);
+    mass.solve(old_momentum, nullptr, old_velocity);
+    mass.solve(scratch, &step.constraints, new_velocity);
+
+    const double c = step.pic_factor;
+    change.resize(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        change[i] = new_velocity[i] - (1. - c) * old_velocity[i];
+        fields.motion[i].velocity = new_velocity[i];
+        fields.motion[i].change   = change[i];
+      }
+  }
+
+  template <int dim>
+  void
+  MomentumBalance<dim>::strain_with_velocity(Grid::NodalFields<dim> &fields) const
+  {
+    for (auto &node : fields.motion)
+      node.straining = node.velocity;
+  }
+
+  template <int dim>
+  void
+  MomentumBalance<dim>::remap_velocity(Grid::NodalFields<dim> &fields,
+                                       const StepInput<dim>   &step)
+  {
+    // The points' new momentum, seen from the nodes of the old positions, is the
+    // action of the sampled consistent mass matrix: no pass over the points.
+    const unsigned int n = fields.n_active_nodes();
+    for (unsigned int i = 0; i < n; ++i)
+      scratch[i] = (1. - step.pic_factor) * old_momentum[i];
+    fields.add_mass_times(change, scratch);
+    mass.solve(scratch, &step.constraints, change);
+    for (unsigned int i = 0; i < n; ++i)
+      fields.motion[i].straining = change[i];
+  }
+
+  template <int dim>
+  GridWork
+  MomentumBalance<dim>::work(const Grid::NodalFields<dim> &fields,
+                             const StepInput<dim>         &step) const
+  {
+    NodalVectors<dim> new_momentum;
+    mass.multiply(new_velocity, new_momentum);
+    GridWork work;
+    for (unsigned int i = 0; i < fields.n_active_nodes(); ++i)
+      {
+        const auto          &node    = fields.sums[i];
+        const Tensor<1, dim> impulse = new_momentum[i] - old_momentum[i];
+        const Tensor<1, dim> mean    = .5 * (old_velocity[i] + new_velocity[i]);
+        const Tensor<1, dim> others =
+          step.time_step * (force(fields, step, i) - node.load);
+        work.total += impulse * mean;
+        work.boundary += (impulse - others) * mean;
+        work.straining_loss += step.time_step * node.force *
+                               (fields.motion[i].straining - new_velocity[i]);
+      }
+    return work;
+  }
+
+  template struct MomentumParameters<2>;
+  template struct MomentumParameters<3>;
+  template class MomentumBalance<2>;
+  template class MomentumBalance<3>;
+} // namespace mpm_granular::Momentum

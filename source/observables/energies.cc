@@ -1,0 +1,89 @@
+#include <mpm_granular/observables/energies.h>
+
+namespace mpm_granular::Observables
+{
+  using namespace dealii;
+
+  template <int dim>
+  StoredEnergy
+  stored_energy(const Snapshot<dim> &snapshot, const Frame<dim> &frame)
+  {
+    const auto  &points  = snapshot.points;
+    const double gravity = snapshot.gravity.norm();
+    StoredEnergy energy;
+    Stress<dim>  stress;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        double square_speed = 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          square_speed += points.velocity[d][i] * points.velocity[d][i];
+        energy.kinetic += 0.5 * points.mass[i] * square_speed;
+
+        for (unsigned int c = 0; c < n_stress<dim>; ++c)
+          stress[c] = points.stress[c][i];
+        energy.elastic +=
+          points.volume[i] *
+          snapshot.laws[points.material[i]]->elastic_energy_density(stress);
+
+        energy.potential +=
+          points.mass[i] * gravity * frame.height(points.location(i));
+      }
+    return energy;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  Energies<dim>::columns() const
+  {
+    return {"kinetic_energy",
+            "elastic_energy",
+            "potential_energy",
+            "dissipated_energy",
+            "boundary_work",
+            "transfer_loss",
+            "closure"};
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  Energies<dim>::values(const Snapshot<dim> &snapshot, const Frame<dim> &frame)
+  {
+    const StoredEnergy  now    = stored_energy(snapshot, frame);
+    const EnergyLedger &ledger = snapshot.ledger;
+    if (!initial)
+      initial = now;
+
+    const double error = now.total() + ledger.dissipated +
+                         ledger.transfer_loss - ledger.boundary_work -
+                         initial->total();
+    const double scale =
+      initial->potential > 0. ? initial->potential : initial->total();
+    return {now.kinetic,
+            now.elastic,
+            now.potential,
+            ledger.dissipated,
+            ledger.boundary_work,
+            ledger.transfer_loss,
+            scale > 0. ? error / scale : error};
+  }
+
+
+
+  namespace
+  {
+    const RegisterObservable<Energies>
+      entry("energies", "Energies of the points and what they gave and took.");
+  }
+
+  template StoredEnergy
+  stored_energy(const Snapshot<2> &, const Frame<2> &);
+  template StoredEnergy
+  stored_energy(const Snapshot<3> &, const Frame<3> &);
+
+  template class Energies<2>;
+  template class Energies<3>;
+} // namespace mpm_granular::Observables

@@ -1,0 +1,65 @@
+#include <mpm_granular/core/exceptions.h>
+#include <mpm_granular/observables/frame.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace mpm_granular::Observables
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The unit vector with the name @p name, say "-x".
+    template <int dim>
+    Tensor<1, dim>
+    axis(const std::string &name)
+    {
+      const bool     is_negative = !name.empty() && name[0] == '-';
+      const char     letter      = name.empty() ? ' ' : name.back();
+      Tensor<1, dim> direction;
+      require(letter >= 'x' && letter < 'x' + dim &&
+                name.size() == (is_negative ? 2u : 1u),
+              "There is no direction '" + name + "'; valid names are " +
+                Frame<dim>::directions() + ".");
+      direction[letter - 'x'] = is_negative ? -1. : 1.;
+      return direction;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Frame<dim>::Frame(const Mesh::BackgroundMesh<dim> &mesh,
+                    const std::string               &run_out,
+                    const Tensor<1, dim>            &gravity)
+    : along(axis<dim>(run_out))
+    , up(gravity.norm() > 0. ? -gravity / gravity.norm() :
+                               Point<dim>::unit_vector(dim - 1))
+    , start(std::numeric_limits<double>::max())
+    , end(std::numeric_limits<double>::lowest())
+    , floor(std::numeric_limits<double>::max())
+  {
+    for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
+      {
+        const Point<dim> &x = mesh.node_position(node);
+        start               = std::min(start, along * x);
+        end                 = std::max(end, along * x);
+        floor               = std::min(floor, up * x);
+      }
+  }
+
+
+
+  template <int dim>
+  std::string
+  Frame<dim>::directions()
+  {
+    return dim == 2 ? "x|y|-x|-y" : "x|y|z|-x|-y|-z";
+  }
+
+
+
+  template struct Frame<2>;
+  template struct Frame<3>;
+} // namespace mpm_granular::Observables

@@ -1,0 +1,39 @@
+#include <mpm_granular/observables/run_state.h>
+
+#include <numeric>
+
+namespace mpm_granular::Observables
+{
+  template <int dim>
+  std::vector<std::string>
+  RunState<dim>::columns() const
+  {
+    return {"time", "step", "dt", "points", "mass", "lost_points"};
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  RunState<dim>::values(const Snapshot<dim> &snapshot, const Frame<dim> &)
+  {
+    const auto &mass = snapshot.points.mass;
+    return {snapshot.time,
+            static_cast<double>(snapshot.step),
+            snapshot.time_step,
+            static_cast<double>(snapshot.points.size()),
+            std::accumulate(mass.begin(), mass.end(), 0.),
+            static_cast<double>(snapshot.n_lost)};
+  }
+
+
+
+  namespace
+  {
+    const RegisterObservable<RunState>
+      entry("run state", "Time, steps, number and mass of the points.");
+  }
+
+  template class RunState<2>;
+  template class RunState<3>;
+} // namespace mpm_granular::Observables

@@ -1,0 +1,77 @@
+#include <deal.II/base/patterns.h>
+
+#include <mpm_granular/core/exceptions.h>
+#include <mpm_granular/output/output_parameters.h>
+
+namespace mpm_granular::Output
+{
+  using dealii::Patterns::Double;
+
+  void
+  OutputParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("Directory",
+                      directory,
+                      "Folder for all files of the run, made if it is not "
+                      "there. One that is not empty is refused unless "
+                      "--overwrite is given.");
+    prm.add_parameter("Interval",
+                      interval,
+                      "Simulated time between two pictures (VTU files) of the "
+                      "points; time steps end exactly there. 0: only the first "
+                      "and the last state. Units: s.",
+                      Double(0.));
+    prm.add_parameter("Observables interval",
+                      observables_interval,
+                      "Simulated time between two rows of observables.csv. 0: "
+                      "a row after every time step. Units: s.",
+                      Double(0.));
+    prm.add_parameter("Progress interval",
+                      progress_interval,
+                      "Wall time between two lines of progress in a log; a "
+                      "terminal renews its line more often. Units: s.",
+                      Double(0.));
+    prm.add_parameter("Point fields",
+                      point_fields,
+                      "Fields of the points to write: 'all', or a list of "
+                      "velocity, speed, stress, pressure, von_mises_stress, "
+                      "volume_ratio, mass, id, material and the names of the "
+                      "laws' history. Pressure and stress in Pa, pressure "
+                      "positive and stress negative in compression.");
+    prm.add_parameter("Write grid",
+                      write_grid,
+                      "Whether the mesh with mass and velocity of its nodes is "
+                      "written beside the points.");
+    prm.add_parameter("Compression",
+                      compression,
+                      "How much time to spend on small VTU files.",
+                      dealii::Patterns::Selection("none|fast|default|best"));
+  }
+
+
+
+  void
+  OutputParameters::check() const
+  {
+    require(!directory.empty(), "Output/Directory is empty.");
+    require(!point_fields.empty(),
+            "Output/Point fields is empty; 'all' or a list of names is "
+            "expected.");
+  }
+
+
+
+  dealii::DataOutBase::VtkFlags
+  OutputParameters::vtk_flags() const
+  {
+    using Flags = dealii::DataOutBase::VtkFlags;
+    Flags flags;
+    flags.print_date_and_time = false;
+    flags.compression_level =
+      compression == "none" ? Flags::no_compression :
+      compression == "fast" ? Flags::best_speed :
+      compression == "best" ? Flags::best_compression :
+                              Flags::default_compression;
+    return flags;
+  }
+} // namespace mpm_granular::Output

@@ -1,0 +1,135 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <mpm_granular/core/exceptions.h>
+#include <mpm_granular/output/run_folder.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <system_error>
+
+namespace mpm_granular::Output
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /// What a run writes, relative to its folder, '/' between names.
+    const std::regex &
+    written_by_a_run()
+    {
+      static const std::regex pattern(
+        "(parameters\\.prm|manifest\\.json|observables\\.csv|profile\\.csv|"
+        "points\\.pvd|grid\\.pvd|log\\.txt|points/points-[0-9]+\\.vtu|"
+        "grid/grid-[0-9]+\\.vtu)(\\.tmp)?");
+      return pattern;
+    }
+
+    /// Asks the system to bring the file or folder @p path to the disk.
+    void
+    synchronize(const std::string &path)
+    {
+      const int descriptor = ::open(path.c_str(), O_RDONLY);
+      if (descriptor >= 0)
+        {
+          ::fsync(descriptor);
+          ::close(descriptor);
+        }
+    }
+  } // namespace
+
+
+
+  void
+  write_atomically(const std::string                         &path,
+                   const std::function<void(std::ostream &)> &write)
+  {
+    const std::string temporary = path + ".tmp";
+    try
+      {
+        std::ofstream stream(temporary, std::ios::binary);
+        if (stream)
+          write(stream);
+        stream.close();
+        if (!stream)
+          throw ComputationError("Cannot write '" + path +
+                                 "'. Is there space on the disk, and may the "
+                                 "folder be written to?");
+        synchronize(temporary);
+        fs::rename(temporary, path);
+      }
+    catch (...)
+      {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        throw;
+      }
+    const fs::path folder = fs::path(path).parent_path();
+    synchronize(folder.empty() ? "." : folder.string());
+  }
+
+
+
+  RunFolder::RunFolder(const std::string &path, const bool overwrite)
+    : folder(path)
+  {
+    require(!folder.empty(), "The output directory has no name.");
+    std::error_code error;
+    if (!fs::exists(folder, error))
+      return;
+    require(fs::is_directory(folder, error),
+            "The output directory '" + folder + "' is a file.");
+    const bool is_empty = fs::is_empty(folder, error);
+    require(!error,
+            "The output directory '" + folder +
+              "' cannot be read: " + error.message() + ".");
+    require(is_empty || overwrite,
+            "The output directory '" + folder +
+              "' is not empty. Choose another one, or allow with --overwrite "
+              "that the files of the earlier run are replaced.");
+  }
+
+
+
+  void
+  RunFolder::prepare() const
+  {
+    try
+      {
+        fs::create_directories(folder);
+        for (const std::string part : {"", "points", "grid"})
+          {
+            const fs::path place = fs::path(folder) / part;
+            if (!fs::is_directory(place))
+              continue;
+            // List first: what a folder iterator does while files vanish is not
+            // specified.
+            std::vector<fs::path> old_files;
+            for (const auto &entry : fs::directory_iterator(place))
+              {
+                const std::string name = entry.path().filename().string();
+                if (!entry.is_directory() &&
+                    std::regex_match(part.empty() ? name : part + "/" + name,
+                                     written_by_a_run()))
+                  old_files.push_back(entry.path());
+              }
+            for (const auto &file : old_files)
+              fs::remove(file);
+          }
+      }
+    catch (const fs::filesystem_error &error)
+      {
+        throw InputError("The output directory '" + folder +
+                         "' cannot be prepared: " + error.what() + ".");
+      }
+  }
+
+
+
+  std::string
+  RunFolder::file(const std::string &name) const
+  {
+    return (fs::path(folder) / name).string();
+  }
+} // namespace mpm_granular::Output

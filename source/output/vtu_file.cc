@@ -1,0 +1,183 @@
+#include <deal.II/base/utilities.h>
+#include <deal.II/grid/reference_cell.h>
+
+#include <mpm_granular/output/run_folder.h>
+#include <mpm_granular/output/vtu_file.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <tuple>
+
+namespace mpm_granular::Output
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Items that are converted and written at a time.
+    constexpr std::size_t max_piece_size = 65536;
+
+    using VectorRange =
+      std::tuple<unsigned int,
+                 unsigned int,
+                 std::string,
+                 DataComponentInterpretation::DataComponentInterpretation>;
+
+    /// The rows of a patch's data table, as deal.II wants them described.
+    struct Rows
+    {
+      explicit Rows(const std::vector<Field> &fields)
+      {
+        for (const auto &field : fields)
+          {
+            const unsigned int first = names.size();
+            for (unsigned int c = 0; c < field.n_components; ++c)
+              names.push_back(field.name);
+            if (field.n_components > 1)
+              vectors.emplace_back(
+                first,
+                first + field.n_components - 1,
+                field.name,
+                DataComponentInterpretation::component_is_part_of_vector);
+          }
+      }
+
+      std::vector<std::string> names;
+      std::vector<VectorRange> vectors;
+    };
+
+
+
+    /// Fills @p patch with item @p item.
+    template <int item_dim, int dim>
+    void
+    fill(DataOutBase::Patch<item_dim, dim> &patch,
+         const VtuContents<item_dim, dim>  &contents,
+         const std::size_t                  item)
+    {
+      const auto nodes = contents.nodes(item);
+      for (unsigned int v = 0; v < nodes.size(); ++v)
+        {
+          const Point<dim> position = contents.position(nodes[v]);
+          patch.vertices[v]         = position;
+          unsigned int row          = 0;
+          for (const auto &field : contents.fields)
+            for (unsigned int c = 0; c < field.n_components; ++c)
+              patch.data(row++, v) =
+                static_cast<float>(field.value(nodes[v], c));
+          // Items other than points and boxes carry their positions here, too.
+          if constexpr (item_dim > 0)
+            for (unsigned int d = 0; d < dim; ++d)
+              patch.data(row++, v) = static_cast<float>(position[d]);
+        }
+    }
+
+
+
+    template <int item_dim, int dim>
+    std::vector<DataOutBase::Patch<item_dim, dim>>
+    make_patches(const std::size_t n_patches, const unsigned int n_rows)
+    {
+      std::vector<DataOutBase::Patch<item_dim, dim>> patches(n_patches);
+      for (std::size_t i = 0; i < n_patches; ++i)
+        {
+          auto &patch       = patches[i];
+          patch.patch_index = i;
+          if constexpr (item_dim > 0)
+            {
+              patch.reference_cell = ReferenceCells::get_simplex<item_dim>();
+              patch.n_subdivisions = 1;
+              patch.points_are_available = true;
+              patch.data.reinit(n_rows + dim, item_dim + 1);
+            }
+          else
+            patch.data.reinit(n_rows, 1);
+        }
+      return patches;
+    }
+  } // namespace
+
+
+
+  template <int item_dim, int dim>
+  void
+  write_vtu(std::ostream                     &out,
+            const DataOutBase::VtkFlags      &flags,
+            const VtuContents<item_dim, dim> &contents)
+  {
+    const Rows rows(contents.fields);
+    auto       patches =
+      make_patches<item_dim, dim>(std::min(contents.n_items, max_piece_size),
+                                  rows.names.size());
+
+    DataOutBase::VtkFlags piece_flags = flags;
+    for (const auto &field : contents.fields)
+      if (!field.unit.empty())
+        piece_flags.physical_units[field.name] = field.unit;
+
+    DataOutBase::write_vtu_header(out, piece_flags);
+    std::size_t n_written = 0;
+    do
+      {
+        const std::size_t n_now =
+          std::min(contents.n_items - n_written, max_piece_size);
+        patches.resize(n_now);
+        for (std::size_t i = 0; i < n_now; ++i)
+          fill(patches[i], contents, n_written + i);
+        DataOutBase::write_vtu_main(
+          patches, rows.names, rows.vectors, piece_flags, out);
+        n_written += n_now;
+        // Time and step belong to the file, not to each piece.
+        piece_flags.time  = std::numeric_limits<double>::min();
+        piece_flags.cycle = std::numeric_limits<unsigned int>::min();
+    } while (n_written < contents.n_items);
+    DataOutBase::write_vtu_footer(out);
+  }
+
+
+
+  VtuSeries::VtuSeries(const std::string &folder, const std::string &name)
+    : folder(folder)
+    , name(name)
+  {}
+
+
+
+  void
+  VtuSeries::add(const double                               time,
+                 const std::function<void(std::ostream &)> &write)
+  {
+    namespace fs = std::filesystem;
+    fs::create_directories(fs::path(folder) / name);
+    const std::string file =
+      name + "/" + name + "-" +
+      Utilities::int_to_string(times_and_names.size(), 5) + ".vtu";
+    write_atomically((fs::path(folder) / file).string(), write);
+
+    times_and_names.emplace_back(time, file);
+    write_atomically((fs::path(folder) / (name + ".pvd")).string(),
+                     [&](std::ostream &out) {
+                       DataOutBase::write_pvd_record(out, times_and_names);
+                     });
+  }
+
+
+
+  template void
+  write_vtu(std::ostream &,
+            const DataOutBase::VtkFlags &,
+            const VtuContents<0, 2> &);
+  template void
+  write_vtu(std::ostream &,
+            const DataOutBase::VtkFlags &,
+            const VtuContents<0, 3> &);
+  template void
+  write_vtu(std::ostream &,
+            const DataOutBase::VtkFlags &,
+            const VtuContents<2, 2> &);
+  template void
+  write_vtu(std::ostream &,
+            const DataOutBase::VtkFlags &,
+            const VtuContents<3, 3> &);
+} // namespace mpm_granular::Output

@@ -1,0 +1,219 @@
+#include <mpm_granular/points/material_points.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace mpm_granular::Points
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Calls @p action(property, slot) for the floating point numbers of a point
+    /// in the order of the handler's properties: the one description of that
+    /// order.
+    template <int dim, class Action>
+    void
+    for_each_property(PointArrays<dim> &points, Action &&action)
+    {
+      unsigned int slot = 0;
+      for (auto &array : points.velocity)
+        action(array, slot++);
+      for (auto &array : points.stress)
+        action(array, slot++);
+      action(points.mass, slot++);
+      action(points.volume, slot++);
+      for (auto &array : points.history)
+        action(array, slot++);
+    }
+
+    template <int dim>
+    unsigned int
+    n_properties(const unsigned int n_history)
+    {
+      return dim + n_stress<dim> + 2 + n_history + 1; // the last: material
+    }
+
+    /// What the handler needs for a particle: two places, properties, id, and
+    /// some bookkeeping; deal.II does not tell.
+    template <int dim>
+    std::size_t
+    bytes_per_particle(const unsigned int n_history)
+    {
+      return (2 * dim + n_properties<dim>(n_history)) * sizeof(double) +
+             2 * sizeof(types::particle_index) + 2 * sizeof(void *);
+    }
+  } // namespace
+
+  template <int dim>
+  MaterialPoints<dim>::MaterialPoints(const Mesh::BackgroundMesh<dim> &mesh,
+                                      std::vector<std::string> history_names)
+    : mesh(mesh)
+    , names(std::move(history_names))
+    , particles(mesh.triangulation(),
+                mesh.mapping(),
+                n_properties<dim>(names.size()))
+    , n_in_cell(mesh.n_cells(), 0)
+  {}
+
+  template <int dim>
+  std::vector<std::string>
+  MaterialPoints<dim>::property_names() const
+  {
+    std::vector<std::string> list;
+    for (unsigned int d = 0; d < dim; ++d)
+      list.push_back("velocity");
+    for (unsigned int s = 0; s < n_stress<dim>; ++s)
+      list.push_back(std::string("stress_") + stress_name[s]);
+    list.insert(list.end(), {"mass", "volume"});
+    list.insert(list.end(), names.begin(), names.end());
+    list.push_back("material");
+    return list;
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::insert(const std::vector<Seed<dim>> &seeds,
+                              const unsigned int            material,
+                              const double                  density)
+  {
+    std::vector<double>         properties(n_properties<dim>(names.size()), 0.);
+    types::particle_index       id = particles.n_global_particles();
+    for (const auto &seed : seeds)
+      {
+        const auto shape_values = mesh.cell(seed.cell).shape_values(seed.position);
+        Point<dim> reference;
+        for (unsigned int d = 0; d < dim; ++d)
+          reference[d] = shape_values[d + 1];
+        properties[dim + n_stress<dim>]     = density * seed.volume;
+        properties[dim + n_stress<dim> + 1] = seed.volume;
+        properties.back()                   = material;
+        particles.insert_particle(seed.position,
+                                  reference,
+                                  id++,
+                                  mesh.cell_iterator(seed.cell),
+                                  make_array_view(properties));
+      }
+    particles.update_cached_numbers();
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::load()
+  {
+    working_set.resize(particles.n_locally_owned_particles(), names.size());
+    unsigned int p = 0;
+    for (const auto &particle : particles)
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          working_set.position[d][p] = particle.get_location()[d];
+        const auto properties = particle.get_properties();
+        for_each_property<dim>(working_set,
+                               [&](auto &array, const unsigned int slot) {
+                                 array[p] = properties[slot];
+                               });
+        working_set.material[p] = static_cast<std::uint8_t>(
+          properties[n_properties<dim>(names.size()) - 1]);
+        working_set.id[p]   = particle.get_id();
+        working_set.cell[p] = mesh.flat_index(
+          particle.get_surrounding_cell(mesh.triangulation()));
+        ++p;
+      }
+    particles.clear_particles();
+    order();
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::publish()
+  {
+    particles.clear_particles();
+    std::vector<double> properties(n_properties<dim>(names.size()));
+    for (unsigned int p = 0; p < working_set.size(); ++p)
+      {
+        for_each_property<dim>(working_set,
+                               [&](auto &array, const unsigned int slot) {
+                                 properties[slot] = array[p];
+                               });
+        properties.back() = working_set.material[p];
+        const auto shape_values =
+          mesh.cell(working_set.cell[p]).shape_values(working_set.location(p));
+        Point<dim> reference;
+        for (unsigned int d = 0; d < dim; ++d)
+          reference[d] = shape_values[d + 1];
+        particles.insert_particle(working_set.location(p),
+                                  reference,
+                                  working_set.id[p],
+                                  mesh.cell_iterator(working_set.cell[p]),
+                                  make_array_view(properties));
+      }
+    particles.update_cached_numbers();
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::order()
+  {
+    // A counting sort that touches only cells with points.
+    std::vector<unsigned int> occupied;
+    for (const unsigned int cell : working_set.cell)
+      if (n_in_cell[cell]++ == 0)
+        occupied.push_back(cell);
+    std::sort(occupied.begin(), occupied.end());
+
+    unsigned int next = 0;
+    for (const unsigned int cell : occupied)
+      next += std::exchange(n_in_cell[cell], next);
+
+    std::vector<unsigned int> permutation(working_set.size());
+    for (unsigned int p = 0; p < working_set.size(); ++p)
+      permutation[n_in_cell[working_set.cell[p]]++] = p;
+    for (const unsigned int cell : occupied)
+      n_in_cell[cell] = 0;
+
+    permute(permutation);
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::permute(const std::vector<unsigned int> &permutation)
+  {
+    working_set.for_each_array([&](auto &array) {
+      typename std::remove_reference<decltype(array)>::type sorted(
+        permutation.size());
+      for (std::size_t p = 0; p < permutation.size(); ++p)
+        sorted[p] = array[permutation[p]];
+      array.swap(sorted);
+    });
+  }
+
+  template <int dim>
+  std::size_t
+  MaterialPoints<dim>::remove_lost()
+  {
+    std::vector<unsigned int> kept;
+    for (unsigned int p = 0; p < working_set.size(); ++p)
+      if (working_set.cell[p] != Mesh::no_cell)
+        kept.push_back(p);
+    const std::size_t n_removed = working_set.size() - kept.size();
+    if (n_removed > 0)
+      permute(kept);
+    return n_removed;
+  }
+
+  template <int dim>
+  std::size_t
+  MaterialPoints<dim>::memory_consumption() const
+  {
+    std::size_t bytes = particles.n_locally_owned_particles() *
+                          bytes_per_particle<dim>(names.size()) +
+                        n_in_cell.capacity() * sizeof(unsigned int);
+    const_cast<PointArrays<dim> &>(working_set).for_each_array([&](auto &array) {
+      bytes += array.capacity() * sizeof(array[0]);
+    });
+    return bytes;
+  }
+
+  template class MaterialPoints<2>;
+  template class MaterialPoints<3>;
+} // namespace mpm_granular::Points

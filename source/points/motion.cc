@@ -1,0 +1,37 @@
+#include <mpm_granular/points/motion.h>
+
+#include <algorithm>
+
+namespace mpm_granular::Points
+{
+  void
+  Motion::operator+=(const Motion &other)
+  {
+    kinetic_energy += other.kinetic_energy;
+    speed_squared = std::max(speed_squared, other.speed_squared);
+  }
+
+  template <int dim>
+  Motion
+  motion_of(const PointArrays<dim> &points,
+            const unsigned int      begin,
+            const unsigned int      end)
+  {
+    double energy = 0., fastest = 0.;
+#pragma omp simd reduction(+ : energy) reduction(max : fastest)
+    for (unsigned int p = begin; p < end; ++p)
+      {
+        double square = 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          square += points.velocity[d][p] * points.velocity[d][p];
+        energy += .5 * points.mass[p] * square;
+        fastest = std::max(fastest, square);
+      }
+    return {energy, fastest};
+  }
+
+  template Motion
+  motion_of(const PointArrays<2> &, const unsigned int, const unsigned int);
+  template Motion
+  motion_of(const PointArrays<3> &, const unsigned int, const unsigned int);
+} // namespace mpm_granular::Points

@@ -1,0 +1,268 @@
+#include <mpm_granular/core/signals.h>
+#include <mpm_granular/output/progress.h>
+#include <mpm_granular/solver/run.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace mpm_granular::Solver
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The output settings with the folder in place of its name.
+    Output::OutputParameters
+    in_folder(Output::OutputParameters parameters, const Output::RunFolder &folder)
+    {
+      parameters.directory = folder.path();
+      return parameters;
+    }
+  } // namespace
+
+  template <int dim>
+  Run<dim>::Run(RunParameters<dim> &parameters, const Parameters::RunInfo &info)
+    : parameters(parameters)
+    , info(info)
+    , solver(parameters, info.input_file)
+    , folder(parameters.output.directory, info.overwrite || info.check_only)
+    , console(true)
+    , points_output(in_folder(parameters.output, folder), solver.material_laws())
+    , grid_output(in_folder(parameters.output, folder))
+    , manifest(info.command_line, 1)
+    , field_times(parameters.output.interval)
+    , observable_times(parameters.output.observables_interval)
+    , in_steps(timings.section("time steps"))
+    , in_observables(timings.section("observables"))
+    , in_fields(timings.section("output of fields"))
+  {}
+
+  template <int dim>
+  Output::Preflight
+  Run<dim>::preflight() const
+  {
+    const auto &mesh   = solver.background_mesh();
+    const auto &arrays = solver.material_points().arrays();
+    const auto &laws   = solver.material_laws();
+    const auto &names  = parameters.materials.all_names();
+    const auto  limits = solver.step_limits();
+
+    Output::Preflight report;
+    report.dimension      = dim;
+    report.n_cells        = mesh.n_cells();
+    report.n_nodes        = mesh.n_nodes();
+    report.mean_cell_size = mesh.mean_cell_size();
+    report.min_altitude   = limits.least_altitude;
+    report.n_points       = arrays.size();
+    report.n_filled_cells = solver.nodal_fields().active_cells.size();
+
+    report.mass = report.volume = 0.;
+    std::vector<std::uint64_t> n_of_material(laws.size(), 0);
+    std::map<unsigned int, unsigned int> n_in_cell;
+    for (unsigned int p = 0; p < arrays.size(); ++p)
+      {
+        report.mass += arrays.mass[p];
+        report.volume += arrays.volume[p];
+        ++n_of_material[arrays.material[p]];
+        ++n_in_cell[arrays.cell[p]];
+      }
+    const auto by_count = [](const auto &a, const auto &b) {
+      return a.second < b.second;
+    };
+    const auto [fewest, most] =
+      std::minmax_element(n_in_cell.begin(), n_in_cell.end(), by_count);
+    report.min_points_per_cell = fewest->second;
+    report.max_points_per_cell = most->second;
+    for (unsigned int m = 0; m < laws.size(); ++m)
+      report.materials.push_back({names[m],
+                                  parameters.materials[names[m]].law.chosen_name(),
+                                  laws[m]->density(),
+                                  laws[m]->bulk_modulus(),
+                                  laws[m]->shear_modulus(),
+                                  n_of_material[m]});
+
+    report.end_time  = parameters.end_time;
+    report.stable_dt = limits.critical_step;
+    report.chosen_dt = parameters.time_step.is_fixed() ?
+                         parameters.time_step.fixed_step :
+                         parameters.time_step.cfl * limits.critical_step;
+    report.gravity = parameters.body_force.value(0.).norm();
+    report.n_files = parameters.output.interval > 0. ?
+                       parameters.end_time / parameters.output.interval + 1. :
+                       2.;
+    report.bytes_per_file  = points_output.estimated_file_size(arrays.size());
+    report.bytes_in_memory = solver.memory_consumption();
+    report.warnings        = solver.warnings();
+    report.add_warnings();
+    return report;
+  }
+
+  template <int dim>
+  Outcome
+  Run<dim>::execute()
+  {
+    const auto report = preflight();
+    manifest.warnings = report.warnings;
+    if (!info.check_only)
+      open_output();
+    console.say(report.text());
+    if (info.check_only)
+      return Outcome::finished;
+
+    try
+      {
+        const Outcome outcome = compute();
+        close_output(outcome == Outcome::finished ?
+                       Output::Manifest::Outcome::done :
+                       Output::Manifest::Outcome::interrupted,
+                     outcome == Outcome::finished ? "" : "stopped by a signal");
+        return outcome;
+      }
+    catch (const ComputationError &error)
+      {
+        std::ostringstream message;
+        message << "The computation failed at time " << solver.time() << " s (step "
+                << solver.step() << "): " << error.what();
+        close_output(Output::Manifest::Outcome::failed, message.str());
+        throw ComputationError(message.str());
+      }
+  }
+
+  template <int dim>
+  void
+  Run<dim>::open_output()
+  {
+    folder.prepare();
+    console.open_log(folder.file("log.txt"));
+    Output::write_atomically(folder.file("parameters.prm"),
+                             [&](std::ostream &file) {
+                               file << info.parameter_text;
+                             });
+    parameters.observables.open(folder.file("observables.csv"));
+
+    manifest.dimension = dim;
+    manifest.n_cells   = solver.background_mesh().n_cells();
+    manifest.n_nodes   = solver.background_mesh().n_nodes();
+    manifest.n_points  = solver.material_points().arrays().size();
+    manifest.write(folder.file("manifest.json"));
+  }
+
+  template <int dim>
+  double
+  Run<dim>::next_event() const
+  {
+    return std::min(
+      {parameters.end_time, field_times.next(), observable_times.next()});
+  }
+
+  template <int dim>
+  Outcome
+  Run<dim>::compute()
+  {
+    Output::Progress progress(console,
+                              0.,
+                              parameters.end_time,
+                              parameters.output.progress_interval);
+    write_observables();
+    write_fields();
+    while (solver.time() < parameters.end_time)
+      {
+        if (Core::stop_requested())
+          return Outcome::interrupted;
+        {
+          Output::Timings::Scope timer(timings, in_steps);
+          solver.advance_one_step(next_event());
+        }
+        n_point_steps += solver.material_points().arrays().size();
+        if (observable_times.passes(solver.time()))
+          write_observables();
+        if (field_times.passes(solver.time()))
+          write_fields();
+        if (progress.is_due())
+          progress.report({solver.time(),
+                           solver.time_step(),
+                           solver.step(),
+                           n_point_steps,
+                           solver.kinetic_energy()});
+      }
+    return Outcome::finished;
+  }
+
+  template <int dim>
+  void
+  Run<dim>::write_observables()
+  {
+    Output::Timings::Scope timer(timings, in_observables);
+    parameters.observables.write(solver.snapshot());
+  }
+
+  template <int dim>
+  void
+  Run<dim>::write_fields()
+  {
+    Output::Timings::Scope timer(timings, in_fields);
+    last_written = solver.time();
+    points_output.write(solver.time(),
+                        solver.step(),
+                        solver.material_points().arrays());
+    if (!parameters.output.write_grid)
+      return;
+    const auto &fields = solver.nodal_fields();
+    grid_output.write(
+      solver.time(),
+      solver.step(),
+      solver.background_mesh(),
+      {{"mass",
+        "kg",
+        1,
+        [&](const auto node, const auto) {
+          return fields.is_active_node(node) ?
+                   fields.sums[fields.slot_of(node)].mass :
+                   0.;
+        }},
+       {"velocity", "m/s", dim, [&](const auto node, const auto component) {
+          return fields.is_active_node(node) ?
+                   fields.motion[fields.slot_of(node)].velocity[component] :
+                   0.;
+        }}});
+  }
+
+  template <int dim>
+  void
+  Run<dim>::close_output(const Output::Manifest::Outcome outcome,
+                         const std::string              &message)
+  {
+    if (last_written != solver.time())
+      {
+        write_observables();
+        write_fields();
+      }
+    Output::write_atomically(folder.file("profile.csv"), [&](std::ostream &file) {
+      file << parameters.observables.profile_text(solver.snapshot());
+    });
+
+    const auto           &points = solver.material_points();
+    const Output::Summary summary{solver.time(),
+                                  solver.step(),
+                                  n_point_steps,
+                                  timings.seconds(in_steps),
+                                  double(points.memory_consumption()) /
+                                    points.arrays().size()};
+    manifest.n_lost_points   = solver.n_lost_points();
+    manifest.n_steps         = solver.step();
+    manifest.n_point_steps   = n_point_steps;
+    manifest.n_files         = points_output.n_files();
+    manifest.simulated_time  = solver.time();
+    manifest.loop_time       = summary.loop_time;
+    manifest.throughput      = Output::throughput(summary);
+    manifest.bytes_per_point = summary.bytes_per_point;
+    manifest.end(outcome, message);
+    manifest.write(folder.file("manifest.json"));
+
+    console.say(Output::summary_text(summary));
+    console.say("Results in " + folder.path());
+  }
+
+  template class Run<2>;
+  template class Run<3>;
+} // namespace mpm_granular::Solver

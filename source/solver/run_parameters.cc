@@ -1,0 +1,129 @@
+#include <mpm_granular/parameters/dimension.h>
+#include <mpm_granular/solver/run_parameters.h>
+
+#include <algorithm>
+
+namespace mpm_granular::Solver
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Declares the entries of @p group in a subsection of its own.
+    template <class Group>
+    void
+    add_section(ParameterHandler &prm, const std::string &name, Group &&declare)
+    {
+      prm.enter_subsection(name);
+      declare();
+      prm.leave_subsection();
+    }
+  } // namespace
+
+  template <int dim>
+  Material<dim>::Material()
+    : law("Drucker-Prager viscoplastic")
+  {}
+
+  template <int dim>
+  void
+  Material<dim>::add_parameters(ParameterHandler &prm)
+  {
+    law.add_parameters(prm, "Law", "Constitutive law:");
+  }
+
+  template <int dim>
+  void
+  Material<dim>::check() const
+  {
+    law->check();
+  }
+
+  template <int dim>
+  RunParameters<dim>::RunParameters()
+    : mesh("box")
+    , materials({"sand"})
+    , regions({"body"})
+    , boundary_conditions({"walls"})
+  {}
+
+  template <int dim>
+  void
+  RunParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    Parameters::declare_dimension(prm, dim);
+    prm.add_parameter("End time",
+                      end_time,
+                      "Time to compute. Units: s.",
+                      Patterns::Double(0.));
+
+    add_section(prm, "Mesh", [&] {
+      mesh.add_parameters(prm, "Source", "Where the background mesh comes from:");
+    });
+    add_section(prm, "Materials", [&] {
+      materials.add_parameters(prm,
+                               "Materials, each with a subsection of its name.");
+    });
+    add_section(prm, "Points", [&] {
+      regions.add_parameters(prm,
+                             "Regions filled with points, each with a subsection "
+                             "of its name.");
+      prm.add_parameter("Remove lost points",
+                        remove_lost_points,
+                        "Whether points that leave the mesh are removed (and "
+                        "counted); otherwise they end the run.");
+    });
+    add_section(prm, "Initial state", [&] { initial_state.add_parameters(prm); });
+    add_section(prm, "Boundary conditions", [&] {
+      boundary_conditions.add_parameters(
+        prm,
+        "Conditions, each with a subsection of its name; where they contradict "
+        "each other, the one named first holds.");
+    });
+    add_section(prm, "Body force", [&] { body_force.add_parameters(prm); });
+    add_section(prm, "Scheme", [&] {
+      transfer.add_parameters(prm);
+      momentum.add_parameters(prm);
+    });
+    add_section(prm, "Time step", [&] { time_step.add_parameters(prm); });
+    add_section(prm, "Output", [&] { output.add_parameters(prm); });
+    add_section(prm, "Observables", [&] { observables.add_parameters(prm); });
+  }
+
+  template <int dim>
+  void
+  RunParameters<dim>::check() const
+  {
+    mesh->check();
+    for (const auto &name : materials.all_names())
+      materials[name].check();
+    const auto &known = materials.all_names();
+    for (const auto &name : regions.all_names())
+      {
+        regions[name].check();
+        const std::string &material = regions[name].material_name();
+        std::string        list;
+        for (const auto &valid : known)
+          list += (list.empty() ? "" : ", ") + valid;
+        require(std::find(known.begin(), known.end(), material) != known.end(),
+                "Points/" + name + "/Material = " + material +
+                  " is not a material; Materials/Names has: " + list + ".");
+      }
+    require(!regions.all_names().empty(),
+            "Points/Names is empty: a run needs at least one region of points.");
+    initial_state.check();
+    for (const auto &name : boundary_conditions.all_names())
+      boundary_conditions[name].check();
+    body_force.check();
+    transfer.check();
+    momentum.check();
+    time_step.check();
+    output.check();
+    observables.check();
+  }
+
+  template struct Material<2>;
+  template struct Material<3>;
+  template struct RunParameters<2>;
+  template struct RunParameters<3>;
+} // namespace mpm_granular::Solver

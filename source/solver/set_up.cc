@@ -1,0 +1,160 @@
+// Setting up a computation: what happens once, before the first step.
+
+#include <mpm_granular/solver/mpm_solver.h>
+#include <mpm_granular/time/critical_step.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace mpm_granular::Solver
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    using Laws = std::vector<const Materials::ConstitutiveLaw<dim> *>;
+
+    template <int dim>
+    Laws<dim>
+    laws_of(const RunParameters<dim> &parameters)
+    {
+      Laws<dim> laws;
+      for (const auto &name : parameters.materials.all_names())
+        laws.push_back(&*parameters.materials[name].law);
+      return laws;
+    }
+
+    /// Names of the history slots; laws that name one slot differently share it.
+    template <int dim>
+    std::vector<std::string>
+    history_names(const Laws<dim> &laws)
+    {
+      std::vector<std::string> names;
+      for (const auto *law : laws)
+        {
+          const auto of_law = law->history_names();
+          for (unsigned int slot = 0; slot < of_law.size(); ++slot)
+            if (slot == names.size())
+              names.push_back(of_law[slot]);
+            else if (names[slot] != of_law[slot])
+              names[slot] += "_or_" + of_law[slot];
+        }
+      return names;
+    }
+
+    template <int dim>
+    double
+    least_density(const Laws<dim> &laws)
+    {
+      double density = std::numeric_limits<double>::max();
+      for (const auto *law : laws)
+        density = std::min(density, law->density());
+      return density;
+    }
+  } // namespace
+
+  template <int dim>
+  MPMSolver<dim>::MPMSolver(const RunParameters<dim> &parameters,
+                            const std::string        &input_file)
+    : parameters(parameters)
+    , mesh(*parameters.mesh, input_file)
+    , laws(laws_of(parameters))
+    , points(mesh, history_names<dim>(laws))
+    , fields(mesh)
+    , boundary(parameters.boundary_conditions, mesh)
+    , momentum(parameters.momentum, mesh, least_density<dim>(laws))
+    , step_control(parameters.time_step)
+    , sweep(mesh, laws)
+  {
+    create_points(input_file);
+    set_initial_state();
+    find_cell_limits();
+    motion = sweep.project(points.arrays(), fields).motion;
+    step_control.check_stability(step_limits().critical_step);
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::create_points(const std::string &input_file)
+  {
+    const auto &materials = parameters.materials.all_names();
+    const auto &regions   = parameters.regions.all_names();
+    for (unsigned int r = 0; r < regions.size(); ++r)
+      {
+        const auto &region = parameters.regions[regions[r]];
+        const auto  seeds  = [&] {
+          try
+            {
+              return region.fill(mesh, input_file);
+            }
+          catch (const InputError &error)
+            {
+              throw InputError("Points/" + regions[r] + ": " + error.what());
+            }
+        }();
+        for (unsigned int before = 0; before < r; ++before)
+          for (const auto &seed : seeds)
+            require(!parameters.regions[regions[before]].contains(seed.position,
+                                                                  seed.cell),
+                    "The regions " + regions[before] + " and " + regions[r] +
+                      " of 'Points' overlap, for example at " +
+                      Mesh::as_text(seed.position) + ".");
+        const unsigned int material =
+          std::find(materials.begin(), materials.end(), region.material_name()) -
+          materials.begin();
+        points.insert(seeds, material, laws[material]->density());
+      }
+    points.load();
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::set_initial_state()
+  {
+    auto       &arrays  = points.arrays();
+    const auto  gravity = parameters.body_force.value(0.);
+    std::string remark;
+    for (unsigned int p = 0; p < arrays.size(); ++p)
+      {
+        const auto &law = *laws[arrays.material[p]];
+        parameters.initial_state.apply(arrays, p, law.density(), gravity);
+        law.initialize(arrays, {p, p + 1});
+        if (remark.empty())
+          {
+            Stress<dim> stress;
+            for (unsigned int s = 0; s < n_stress<dim>; ++s)
+              stress[s] = arrays.stress[s][p];
+            remark = law.remark_on(stress);
+            if (!remark.empty())
+              remarks.push_back("Initial stress at " +
+                                Mesh::as_text(arrays.location(p)) + ": " +
+                                remark);
+          }
+      }
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::find_cell_limits()
+  {
+    // Any material may come to any cell.
+    const double factor =
+      parameters.momentum.mass_matrix->time_step_factor();
+    cell_limits.resize(mesh.n_cells());
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      {
+        double step = std::numeric_limits<double>::max();
+        for (const auto *law : laws)
+          step = std::min(step,
+                          Time::critical_step(mesh.cell(cell),
+                                              {law->bulk_modulus(),
+                                               law->shear_modulus(),
+                                               law->density()}));
+        cell_limits[cell] = {factor * step, mesh.altitude(cell)};
+      }
+  }
+
+  template class MPMSolver<2>;
+  template class MPMSolver<3>;
+} // namespace mpm_granular::Solver

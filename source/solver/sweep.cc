@@ -1,0 +1,135 @@
+#include <mpm_granular/solver/sweep.h>
+#include <mpm_granular/transfer/points_to_grid.h>
+
+#include <algorithm>
+
+namespace mpm_granular::Solver
+{
+  using namespace dealii;
+
+  template <int dim>
+  Sweep<dim>::Sweep(
+    const Mesh::BackgroundMesh<dim>                            &mesh,
+    const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws)
+    : mesh(mesh)
+    , laws(laws)
+  {}
+
+  template <int dim>
+  template <class Action>
+  void
+  Sweep<dim>::for_each_block(Points::PointArrays<dim> &points, Action &&action)
+  {
+    for (unsigned int next = 0; next < points.size(); next = block.end)
+      {
+        block.reinit(points, next);
+        action();
+      }
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::relocate_and_sum(Points::PointArrays<dim> &points,
+                               Grid::NodalFields<dim>   &fields,
+                               SweepResult              &result)
+  {
+    result.lost_point =
+      std::min(result.lost_point, Transfer::relocate(mesh, points, block));
+    Transfer::add_mass_and_momentum(points, block, fields);
+    result.motion += Points::motion_of(points, block.begin, block.end);
+    result.n_runs += block.runs.size();
+  }
+
+  template <int dim>
+  double
+  Sweep<dim>::update_stresses(Points::PointArrays<dim> &points,
+                              const double              time_step)
+  {
+    double             dissipated = 0.;
+    const unsigned int n_runs     = block.runs.size();
+    for (unsigned int first = 0, last = 0; first < n_runs; first = last)
+      {
+        const unsigned int material = points.material[block.runs[first].begin];
+        while (last < n_runs &&
+               points.material[block.runs[last].begin] == material)
+          ++last;
+        dissipated += Materials::update_stress(
+          *laws[material],
+          points,
+          make_array_view(block.runs.cbegin() + first,
+                          block.runs.cbegin() + last),
+          make_array_view(block.gradients.cbegin() + first,
+                          block.gradients.cbegin() + last),
+          time_step);
+      }
+    return dissipated;
+  }
+
+  template <int dim>
+  SweepResult
+  Sweep<dim>::project(Points::PointArrays<dim> &points,
+                      Grid::NodalFields<dim>   &fields)
+  {
+    SweepResult result;
+    fields.clear_cells();
+    for_each_block(points, [&] {
+      relocate_and_sum(points, fields, result);
+      Transfer::add_stress(points, block, fields);
+    });
+    return result;
+  }
+
+  template <int dim>
+  SweepResult
+  Sweep<dim>::advance(Points::PointArrays<dim> &points,
+                      Grid::NodalFields<dim>   &fields,
+                      const double              time_step,
+                      const double              pic_factor)
+  {
+    SweepResult result;
+    fields.clear_cells();
+    for_each_block(points, [&] {
+      Transfer::evaluate_gradients(mesh, fields, points, block);
+      Transfer::move_points(mesh, fields, block, time_step, pic_factor, points);
+      result.dissipated += update_stresses(points, time_step);
+      relocate_and_sum(points, fields, result);
+      Transfer::add_stress(points, block, fields);
+    });
+    return result;
+  }
+
+  template <int dim>
+  double
+  Sweep<dim>::strain(Points::PointArrays<dim> &points,
+                     Grid::NodalFields<dim>   &fields,
+                     const double              time_step)
+  {
+    double dissipated = 0.;
+    fields.clear_stresses();
+    for_each_block(points, [&] {
+      Transfer::evaluate_gradients(mesh, fields, points, block);
+      dissipated += update_stresses(points, time_step);
+      Transfer::add_stress(points, block, fields);
+    });
+    return dissipated;
+  }
+
+  template <int dim>
+  SweepResult
+  Sweep<dim>::move(Points::PointArrays<dim> &points,
+                   Grid::NodalFields<dim>   &fields,
+                   const double              time_step,
+                   const double              pic_factor)
+  {
+    SweepResult result;
+    fields.clear_cells();
+    for_each_block(points, [&] {
+      Transfer::move_points(mesh, fields, block, time_step, pic_factor, points);
+      relocate_and_sum(points, fields, result);
+    });
+    return result;
+  }
+
+  template class Sweep<2>;
+  template class Sweep<3>;
+} // namespace mpm_granular::Solver
