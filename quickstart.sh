@@ -84,16 +84,18 @@ summary() {
 
 run() {
   build Release build/release
-  local name
+  local name folder folders=()
   for name in "${cases[@]}"; do
     say "Running $name.prm"
     (cd build/release &&
       ./mpm_granular "$name.prm" --output "output/$name" --overwrite)
-    /usr/bin/python3 scripts/plot_run.py "build/release/output/$name"
+    folders+=("build/release/output/$name")
   done
+  say "Making the pictures"
+  /usr/bin/python3 scripts/plot_run.py "${folders[@]}"
   say "Results"
-  for name in "${cases[@]}"; do
-    summary "build/release/output/$name"
+  for folder in "${folders[@]}"; do
+    summary "$folder"
   done
 }
 

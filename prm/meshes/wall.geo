@@ -11,8 +11,8 @@
 // Made by gmsh 4.8.4 (another version gives another mesh of the same kind):
 //   gmsh -3 -nt 1 wall.geo -o wall.msh
 //     10740 nodes, 49416 tetrahedra, altitude 0.03166 m (smallest), 0.03877 m (mean), hull 1.848 m3
-//   gmsh -3 -nt 1 wall.geo -setnumber layers 0 -setnumber size 0.0605 -o wall_unstructured.msh
-//     10803 nodes, 43137 tetrahedra, altitude 0.02210 m (smallest), 0.04621 m (mean), hull 1.848 m3
+//   gmsh -3 -nt 1 wall.geo -setnumber layers 0 -setnumber size 0.059 -o wall_unstructured.msh
+//     11332 nodes, 45456 tetrahedra, altitude 0.02161 m (smallest), 0.04550 m (mean), hull 1.848 m3
 //   gmsh -3 -nt 1 wall.geo -setnumber layers 0 -setnumber size 0.098 -o wall_coarse.msh
 //     3366 nodes, 11583 tetrahedra, altitude 0.03058 m (smallest), 0.07146 m (mean), hull 1.848 m3
 

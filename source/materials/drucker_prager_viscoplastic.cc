@@ -23,6 +23,7 @@ namespace mpm_granular::Materials
     using Column = std::array<double, StrainIncrements<dim>::capacity>;
 
     alignas(64) Column equivalent_stress; ///< q_tr [Pa]
+    alignas(64) Column increment_product; ///< 2 G dt e : s_tr [Pa^2]
     alignas(64) Column pressure;          ///< p at the end of the step [Pa]
     alignas(64) Column factor;            ///< q / q_tr [-]
     alignas(64) Column released_energy;   ///< [J]
@@ -88,6 +89,8 @@ namespace mpm_granular::Materials
         const Stress<dim> deviator_tr =
           increments.trial_deviator(deviator(stress.load(i)), shear, i);
         stress.store(i, deviator_tr, 0.);
+        trial.increment_product[i] =
+          2. * shear * increments.strain_product(deviator_tr, i);
         trial.equivalent_stress[i] =
           std::sqrt(equivalent_stress_square(deviator_tr));
 
@@ -136,6 +139,7 @@ namespace mpm_granular::Materials
                                           Trial                    &trial) const
   {
     const double  inverse_3G = 1. / (3. * parameters.moduli().shear());
+    const double  inverse_4G = 0.75 * inverse_3G;
     const double *volume     = points.volume.data() + batch.begin;
     double       *viscoplastic_strain =
       points.history[equivalent_viscoplastic_strain].data() + batch.begin;
@@ -151,12 +155,14 @@ namespace mpm_granular::Materials
           scaled[c] *= factor;
         stress.store(i, scaled, trial.pressure[i]);
 
-        // The mean of q over the return, q_tr (1 + factor) / 2, does the work.
-        const double strain =
-          trial.equivalent_stress[i] * (1. - factor) * inverse_3G;
-        viscoplastic_strain[i] += strain;
+        const double equivalent_tr = trial.equivalent_stress[i];
+        viscoplastic_strain[i] += equivalent_tr * (1. - factor) * inverse_3G;
+
+        // The mean stress of the step on the viscoplastic strain (T28b).
         trial.released_energy[i] =
-          volume[i] * strain * .5 * trial.equivalent_stress[i] * (1. + factor);
+          volume[i] * (1. - factor) * inverse_4G *
+          ((1. + factor) * (2. / 3.) * equivalent_tr * equivalent_tr -
+           trial.increment_product[i]);
       }
     return sum_of_first(n_points, trial.released_energy);
   }
@@ -210,12 +216,17 @@ namespace mpm_granular::Materials
       text << "The initial pressure is negative (" << p
            << " Pa); this material bears no tension.";
     else if (q > slope * p * (1. + 1e-10))
-      text
-        << "The initial stress is outside of the yield surface: q/p = " << q / p
-        << " > m = " << slope
-        << ". It will flow at once. A geostatic stress is inside if K0 is at "
-           "least (3 - m)/(3 + 2 m) = "
-        << (3. - slope) / (3. + 2. * slope) << '.';
+      {
+        text << "The initial stress is outside of the yield surface: q/p = "
+             << q / p << " > m = " << slope
+             << ". It will flow at once. A geostatic stress is inside if K0 is "
+                "at least (3 - m)/(3 + 2 m) = "
+             << (3. - slope) / (3. + 2. * slope);
+        if (slope < 1.5)
+          text << " and at most (3 + m)/(3 - 2 m) = "
+               << (3. + slope) / (3. - 2. * slope);
+        text << '.';
+      }
     return text.str();
   }
 

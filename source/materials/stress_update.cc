@@ -5,6 +5,7 @@
 #include <mpm_granular/materials/stress_update.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace mpm_granular::Materials
@@ -43,6 +44,7 @@ namespace mpm_granular::Materials
       batch.range              = {begin, begin};
       batch.first_run          = run;
       while (run < runs.size() && batch.n_pieces < Batch<dim>::capacity &&
+             batch.range.end < limit &&
              runs[run].begin + n_taken == batch.range.end)
         {
           const unsigned int end         = std::min(runs[run].end, limit);
@@ -71,13 +73,18 @@ namespace mpm_granular::Materials
         if (!(of_runs.volume_ratio[r] > 0.))
           {
             const unsigned int index = batch.pieces[r].begin;
+            const double       ratio = of_runs.volume_ratio[r];
             std::ostringstream text;
             text << "The volume of point " << points.id[index] << " at ("
                  << points.location(index) << ") in cell " << points.cell[index]
-                 << " would be multiplied by " << of_runs.volume_ratio[r]
-                 << " in a step of " << of_runs.time_step
-                 << " s. Try a smaller time step, or look for what makes the "
-                    "velocity so uneven there.";
+                 << " would be ";
+            if (std::isnan(ratio))
+              text << "no number, as the velocity gradient is none.";
+            else
+              text << "multiplied by " << ratio << " in a step of "
+                   << of_runs.time_step
+                   << " s. Try a smaller time step, or look for what makes the "
+                      "velocity so uneven there.";
             throw ComputationError(text.str());
           }
     }

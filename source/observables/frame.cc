@@ -39,13 +39,23 @@ namespace mpm_granular::Observables
     , start(std::numeric_limits<double>::max())
     , end(std::numeric_limits<double>::lowest())
     , floor(std::numeric_limits<double>::max())
+    , left(std::numeric_limits<double>::max())
+    , right(std::numeric_limits<double>::lowest())
   {
+    if constexpr (dim == 3)
+      {
+        across = cross_product_3d(up, along);
+        if (across.norm() > 0.)
+          across /= across.norm();
+      }
     for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
       {
         const Point<dim> &x = mesh.node_position(node);
         start               = std::min(start, along * x);
         end                 = std::max(end, along * x);
         floor               = std::min(floor, up * x);
+        left                = std::min(left, across * x);
+        right               = std::max(right, across * x);
       }
   }
 

@@ -63,7 +63,7 @@ namespace mpm_granular::Observables
     // The wanted mass counted from the lower end of the current range; a little
     // less, so that the round-off of sums cannot put it beyond the point that
     // completes it.
-    double remaining = fraction * mass * (1. - 1e-12);
+    double remaining = fraction * mass * (1. - 1e-9);
     for (unsigned int r = 0; r < n_refinements; ++r)
       {
         const double width = (upper - lower) / n_bins;

@@ -29,16 +29,31 @@ namespace mpm_granular::Observables
     const int n_bins =
       std::max(1.,
                std::ceil((frame.end - frame.start) / bin_width * (1. - 1e-9)));
-    Surface surface{frame.start, bin_width, std::vector<double>(n_bins, 0.)};
+    const double depth     = frame.right - frame.left;
+    const int    n_columns = std::max(1., std::round(depth / bin_width));
+
+    std::vector<double> heights(n_bins * n_columns, 0.);
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const Point<dim> x        = points.location(i);
-        const double     position = (frame.along * x - frame.start) / bin_width;
-        const int bin = std::clamp(static_cast<int>(position), 0, n_bins - 1);
+        const Point<dim> x = points.location(i);
+        const int bin = std::clamp<int>((frame.along * x - frame.start) / bin_width,
+                                        0,
+                                        n_bins - 1);
+        const int column =
+          n_columns == 1 ?
+            0 :
+            std::clamp<int>((frame.across * x - frame.left) / depth * n_columns,
+                            0,
+                            n_columns - 1);
         const double half_spacing = 0.5 * std::pow(points.volume[i], 1. / dim);
-        surface.height[bin] =
-          std::max(surface.height[bin], frame.height(x) + half_spacing);
+        double      &height       = heights[bin * n_columns + column];
+        height = std::max(height, frame.height(x) + half_spacing);
       }
+
+    Surface surface{frame.start, bin_width, std::vector<double>(n_bins, 0.)};
+    for (int bin = 0; bin < n_bins; ++bin)
+      for (int column = 0; column < n_columns; ++column)
+        surface.height[bin] += heights[bin * n_columns + column] / n_columns;
     return surface;
   }
 

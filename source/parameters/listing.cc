@@ -182,9 +182,10 @@ namespace mpm_granular::Parameters
     write_markdown(const std::vector<Entry> &entries, std::ostream &out)
     {
       out << "# Parameters\n\n"
-             "Every entry of the parameter file by its subsection. \"Law = "
-             "elastic\" in a title: these entries exist only with this choice. "
-             "\"&lt;name&gt;\": one subsection for each of the names that the "
+             "Every entry of the parameter file by its subsection, as printed "
+             "by `mpm_granular --print-parameters=markdown`. \"Law = elastic\" "
+             "in a title: these entries exist only with this choice. "
+             "\"&lt;name>\": one subsection for each of the names that the "
              "entry \"Names\" lists.\n";
       const Entry *last = nullptr;
       for (const auto &entry : entries)

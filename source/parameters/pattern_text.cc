@@ -169,8 +169,7 @@ namespace mpm_granular::Parameters
     if (pattern == "[Anything]")
       return "any text";
     if (pattern == ListOfNames().description())
-      return "a list of different names separated by ','; a name has none of "
-             "the characters / = # | and is not 'Names'";
+      return "different names separated by ',', without / = # | and not 'Names'";
     if (starts_with(pattern, "[FileName"))
       return "the name of a file";
     if (starts_with(pattern, "[DirectoryName"))

@@ -37,8 +37,8 @@ test(const unsigned int axis)
                              {"Poisson ratio=0.2", "Fluidity=1"},
                              initial);
       // Each step multiplies the height by exp(-a dt), so that the logarithm of
-      // the volume falls as in the formula; the deviator's strain then has the
-      // error of first order that backward Euler has anyway.
+      // the volume falls as in the formula. The deviator's strain is then
+      // smaller by a dt/2, an error of first order as that of backward Euler.
       const double   time_step = end / n_steps;
       Tensor<2, dim> gradient;
       gradient[axis][axis] = std::expm1(-rate * time_step) / time_step;
@@ -49,12 +49,10 @@ test(const unsigned int axis)
         {
           compare("  p of the code", point.pressure() / p, 1., 1e-12);
           compare("  volume", point.volume(), std::exp(-rate * end), 1e-12);
-          compare("  q of the code", point.equivalent_stress() / q, 1., 3e-5);
+          compare("  q of the code", point.equivalent_stress() / q, 1., 5e-5);
         }
     }
-  compare_order("  convergence", errors, 1., .1);
-  for (const double error : errors)
-    std::cout << "ERR " << error << std::endl;
+  compare_order("  convergence", errors, 1., .05);
 }
 
 int

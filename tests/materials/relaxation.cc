@@ -12,7 +12,8 @@ template <int dim>
 void
 test(const Stress<dim> &direction)
 {
-  const double yield = slope * p, tau = yield / (3. * G * 50.), q_0 = 2. * yield;
+  const double yield = slope * p, tau = yield / (3. * G * 50.),
+               q_0 = 2. * yield;
   std::vector<double> errors;
   double              released = 0., strain = 0.;
   for (const unsigned int n_steps : {10, 20, 40, 80})
@@ -40,10 +41,7 @@ test(const Stress<dim> &direction)
                   released / 100.,
                   (q_0 * q_0 - q * q) / (6. * G) / 100.,
                   1e-12);
-          compare("  viscoplastic strain",
-                  strain,
-                  (q_0 - q) / (3. * G),
-                  1e-12);
+          compare("  viscoplastic strain", strain, (q_0 - q) / (3. * G), 1e-12);
           compare("  ln J_s", point.history(1), -p * 3. * .4 / 1e6, 1e-14);
         }
     }

@@ -68,20 +68,19 @@ test_random_sets()
   bool         in_range = true, increasing = true;
   for (unsigned int i = 0; i < 200000; ++i)
     {
-      const double N       = random.between(0.1, 31.);
-      const double yield   = slope * random.between(1e-3, 1e6);
-      const double viscous = flow(random.between(1e-3, 1e8),
-                                  random.between(1e-8, 1.));
-      const double x_tr    = random.between(1e-6, 1e6);
-      const double A       = viscous / yield;
+      const double N     = random.between(0.1, 31.);
+      const double yield = slope * random.between(1e-3, 1e6);
+      const double viscous =
+        flow(random.between(1e-3, 1e8), random.between(1e-8, 1.));
+      const double x_tr = random.between(1e-6, 1e6);
+      const double A    = viscous / yield;
 
       const Overstress result = overstress_after_step(x_tr, A, N);
       const double     x      = result.value;
-      const double     residual =
-        std::abs(x + A * std::pow(x, N) - x_tr) / x_tr;
-      worst_residual  = std::max(worst_residual, residual);
-      most_iterations = std::max(most_iterations, result.n_iterations);
-      in_range        = in_range && x > 0. && x <= x_tr * (1. + 1e-15);
+      const double residual   = std::abs(x + A * std::pow(x, N) - x_tr) / x_tr;
+      worst_residual          = std::max(worst_residual, residual);
+      most_iterations         = std::max(most_iterations, result.n_iterations);
+      in_range                = in_range && x > 0. && x <= x_tr * (1. + 1e-15);
       increasing =
         increasing && overstress_after_step(1.001 * x_tr, A, N).value > x;
 
@@ -91,9 +90,9 @@ test_random_sets()
       worst_closed_form =
         std::max(worst_closed_form, std::abs(newton / closed - 1.));
     }
-  // x^N magnifies the round-off of x by N, hence not 1e-16.
-  verdict("Residual below 1e-14 of x_tr",
-          worst_residual < 1e-14,
+  // Round-off, which x^N magnifies by N and x = y^(1/N) by 1/N.
+  verdict("Residual below 2e-14 of x_tr",
+          worst_residual < 2e-14,
           worst_residual * 1e15);
   verdict("At most 8 iterations", most_iterations <= 8, most_iterations);
   verdict("0 < x <= x_tr", in_range, 0.);
@@ -107,11 +106,10 @@ test_random_sets()
 void
 test_known_roots()
 {
-  const auto compare = [](const std::string &what,
-                          const double       value,
-                          const double       expected) {
-    verdict(what, std::abs(value / expected - 1.) < 1e-14, value);
-  };
+  const auto compare =
+    [](const std::string &what, const double value, const double expected) {
+      verdict(what, std::abs(value / expected - 1.) < 1e-14, value);
+    };
   const double A = 7., c = 3.;
   compare("N = 1: x = c/(1 + A)",
           overstress_after_step(c, A, 1.).value,

@@ -22,12 +22,12 @@ error_of(const std::string &law, const unsigned int n_steps)
     point.step(simple_shear<dim>(rate), strain / rate / n_steps);
 
   Stress<dim> expected{};
-  expected[0] = shear_modulus * (1. - std::cos(strain)) - pressure;
-  expected[1] = -shear_modulus * (1. - std::cos(strain)) - pressure;
-  expected[2] = -pressure;
-  expected[3] = shear_modulus * std::sin(strain);
-  double      error = 0.;
-  const auto  stress = point.stress();
+  expected[0]       = shear_modulus * (1. - std::cos(strain)) - pressure;
+  expected[1]       = -shear_modulus * (1. - std::cos(strain)) - pressure;
+  expected[2]       = -pressure;
+  expected[3]       = shear_modulus * std::sin(strain);
+  double     error  = 0.;
+  const auto stress = point.stress();
   for (unsigned int c = 0; c < n_stress<dim>; ++c)
     error = std::max(error, std::abs(stress[c] - expected[c]) / shear_modulus);
   return error;

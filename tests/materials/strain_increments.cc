@@ -32,7 +32,7 @@ volume_change(const Tensor<2, dim> &A)
   for (unsigned int i = 0; i < dim; ++i)
     for (unsigned int j = 0; j < dim; ++j)
       F[i][j] = A[i][j];
-  const long double trace = F[0][0] + F[1][1] + F[2][2];
+  const long double trace  = F[0][0] + F[1][1] + F[2][2];
   long double       minors = 0., determinant = 0.;
   for (unsigned int i = 0; i < 3; ++i)
     {
@@ -80,7 +80,7 @@ add_errors(const StrainIncrements<dim> &increments,
     {
       const unsigned int i = stress_index[c][0], j = stress_index[c][1];
       const double       full = i < dim && j < dim ? rotated[i][j] : 0.;
-      error = std::max(error,
+      error                   = std::max(error,
                        std::abs(increments.deviatoric_strain[c][r] - full +
                                 (i == j ? mean : 0.)));
     }
@@ -96,9 +96,10 @@ add_errors(const StrainIncrements<dim> &increments,
     std::max<double>(errors.volume,
                      std::abs(increments.volume_ratio[r] - (1. + change)) /
                        std::pow(1. + A.norm(), dim));
-  errors.logarithm = std::max<double>(
-    errors.logarithm,
-    std::abs(increments.log_volume_ratio[r] - logarithm) / A.norm());
+  errors.logarithm =
+    std::max<double>(errors.logarithm,
+                     std::abs(increments.log_volume_ratio[r] - logarithm) /
+                       A.norm());
 }
 
 /// A gradient with so little strain that no volume is inverted.

@@ -44,17 +44,18 @@ test(const std::string &exponent)
                          {"Perzyna exponent=" + exponent},
                          pressure_and_shear<dim>(p, 0.));
   const SteadyState steady(std::stod(exponent));
-  const double      time_step = 1e-6;
-  double            strain    = 0.;
-  for (unsigned int n = 0; n < 10000; ++n)
+  // The normal stresses settle with the rate lambda, 600/s: to exp(-24) here.
+  const double time_step = 2e-6;
+  double       strain    = 0.;
+  for (unsigned int n = 0; n < 20000; ++n)
     {
       strain = point.history(0);
       point.step(simple_shear<dim>(k), time_step);
     }
   const auto stress = point.stress();
   compare("  s_xy", stress[3] / p, steady.shear / p, 1e-4);
-  compare("  s_xx", (stress[0] + p) / p, steady.normal / p, 1e-4, .01);
-  compare("  s_yy", (stress[1] + p) / p, -steady.normal / p, 1e-4, .01);
+  compare("  s_xx", (stress[0] + p) / p, steady.normal / p, 1e-3);
+  compare("  s_yy", (stress[1] + p) / p, -steady.normal / p, 1e-3);
   compare("  s_zz", (stress[2] + p) / p, 0., 1e-10, 1.);
   compare("  q", point.equivalent_stress() / p, steady.q / p, 1e-4);
   compare("  p", point.pressure() / p, 1., 1e-12);
@@ -69,8 +70,8 @@ test(const std::string &exponent)
 int
 main()
 {
-  test<2>("1");   // s_xy = 6623.1, s_xx = 114.1, q = 11473.2
+  test<2>("1"); // s_xy = 6623.1, s_xx = 114.1, q = 11473.2
   test<3>("1");
-  test<3>("2");   // s_xy = 7954.5, s_xx = 164.6, q = 13780.5
+  test<3>("2"); // s_xy = 7954.5, s_xx = 164.6, q = 13780.5
   test<2>("0.5");
 }

@@ -1,6 +1,8 @@
 // Front, height, area and profile of a staircase of points, along several
 // run-out directions and with gravity along several axes.
 
+#include "hand_made_body.h"
+
 #include <mpm_granular/observables/center_of_mass.h>
 #include <mpm_granular/observables/deposit_area.h>
 #include <mpm_granular/observables/extent.h>
@@ -9,8 +11,6 @@
 
 #include <iostream>
 #include <string>
-
-#include "hand_made_body.h"
 
 using namespace Test;
 
@@ -21,7 +21,7 @@ print(Observables::Observable<3> &observable,
 {
   const Observables::Frame<3> frame(body.mesh, run_out, body.gravity);
   const auto                  columns = observable.columns();
-  const auto                  values  = observable.values(body.snapshot(), frame);
+  const auto values = observable.values(body.snapshot(), frame);
   for (unsigned int c = 0; c < columns.size(); ++c)
     std::cout << "  " << columns[c] << " " << values[c];
   std::cout << std::endl;
@@ -66,16 +66,19 @@ main()
             body.add(x, 1., 0.125);
           }
   };
-  const std::string column = "set Height of = column\n"
-                             "set Column position = 1.25\n"
-                             "set Column reach = 0.1\n";
+  const std::string           column = "set Height of = column\n"
+                                       "set Column position = 1.25\n"
+                                       "set Column reach = 0.1\n";
   Observables::Extent<3>      whole;
   Observables::Extent<3>      third = extent(column);
   Observables::Extent<3>      half  = extent("set Mass fraction = 0.5");
   Observables::DepositArea<3> area;
 
   std::cout << "Up is z" << std::endl;
-  Body<3> body({0., 0., -1.}, {4., 1., 3.}, {8, 2, 8}, Tensor<1, 3>({0., 0., -2.}));
+  Body<3> body({0., 0., -1.},
+               {4., 1., 3.},
+               {8, 2, 8},
+               Tensor<1, 3>({0., 0., -2.}));
   fill(body, 2);
   print(whole, body, "x");
   print(third, body, "x");
@@ -106,7 +109,10 @@ main()
   print(speed, body, "x");
 
   std::cout << "Up is -x" << std::endl;
-  Body<3> turned({-3., 0., 0.}, {1., 1., 4.}, {8, 2, 8}, Tensor<1, 3>({2., 0., 0.}));
+  Body<3> turned({-3., 0., 0.},
+                 {1., 1., 4.},
+                 {8, 2, 8},
+                 Tensor<1, 3>({2., 0., 0.}));
   fill(turned, 0);
   for (double &x : turned.points.position[0])
     x = -x;

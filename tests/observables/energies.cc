@@ -1,23 +1,23 @@
-// The energies of a few points, computed by hand, with gravity in a direction of
-// its own.
+// The energies of a few points, computed by hand, with gravity in a direction
+// of its own.
+
+#include "hand_made_body.h"
 
 #include <mpm_granular/observables/energies.h>
 
 #include <iostream>
 #include <string>
 
-#include "hand_made_body.h"
-
 using namespace Test;
 
 void
-print(const std::string                             &name,
-      Observables::Energies<2>                      &energies,
-      const Body<2>                                 &body)
+print(const std::string        &name,
+      Observables::Energies<2> &energies,
+      const Body<2>            &body)
 {
   const Observables::Frame<2> frame(body.mesh, "x", body.gravity);
   const auto                  columns = energies.columns();
-  const auto values = energies.values(body.snapshot(), frame);
+  const auto                  values  = energies.values(body.snapshot(), frame);
   std::cout << name << std::endl;
   for (unsigned int c = 0; c < columns.size(); ++c)
     std::cout << "  " << columns[c] << " " << values[c] << std::endl;
@@ -37,7 +37,7 @@ main()
 
   // Kinetic 1/2 2 (9 + 16) = 25; elastic 0.5 (1 + 2 + 3 + 4)/2 = 2.5; height
   // (3 + 8)/5 = 2.2, potential 2 10 2.2 = 44.
-  std::size_t i           = body.add({2., 0.}, 2., 0.5);
+  std::size_t i              = body.add({2., 0.}, 2., 0.5);
   body.points.velocity[0][i] = 3.;
   body.points.velocity[1][i] = -4.;
   for (unsigned int c = 0; c < 4; ++c)

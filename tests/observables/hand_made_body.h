@@ -1,12 +1,12 @@
 #ifndef tests_observables_hand_made_body_h
 #define tests_observables_hand_made_body_h
 
+#include <deal.II/grid/grid_generator.h>
+
 #include <mpm_granular/materials/constitutive_law.h>
 #include <mpm_granular/mesh/background_mesh.h>
 #include <mpm_granular/observables/snapshot.h>
 #include <mpm_granular/points/point_arrays.h>
-
-#include <deal.II/grid/grid_generator.h>
 
 #include <string>
 #include <vector>
@@ -54,8 +54,7 @@ namespace Test
   class SimpleLaw : public Materials::ConstitutiveLaw<dim>
   {
   public:
-    SimpleLaw(const double                    rho,
-              const std::vector<std::string> &names = {})
+    SimpleLaw(const double rho, const std::vector<std::string> &names = {})
       : rho(rho)
       , names(names)
     {}

@@ -1,14 +1,14 @@
 // observables.csv: the names and their order are a contract with the programs
 // that read it, values read back exactly, rows are there as soon as written.
 
+#include "hand_made_body.h"
+
 #include <mpm_granular/observables/observables_table.h>
 
 #include <fstream>
 #include <iostream>
 #include <sstream>
 #include <string>
-
-#include "hand_made_body.h"
 
 using namespace Test;
 
@@ -32,7 +32,7 @@ main()
   body.ledger = {1., 2., 3.};
   body.time   = 0.1 + 0.2; // not 0.3
   body.add({0.25, 0.25}, 1., 0.25);
-  body.add({0.75, 0.75}, 2. / 3., 0.25);
+  body.add({0.75, 0.75}, 3., 0.25);
 
   Observables::ObservablesTable<2> table;
   ParameterHandler                 prm;
@@ -58,8 +58,8 @@ main()
   rows.str(contents(path));
   rows.clear();
   unsigned int n_lines = 0;
-  while (std::getline(rows, row))
-    ++n_lines;
+  for (std::string line; std::getline(rows, line); ++n_lines)
+    row = line;
   std::cout << "Lines after a second row: " << n_lines << std::endl
             << "Its time: " << row.substr(0, row.find(',')) << std::endl
             << "Front in memory: " << table.last("front") << std::endl

@@ -18,10 +18,13 @@ main()
   for (const double value : {0., -0., 1., -12345678., 0.1, 1e-300, 1e22})
     std::cout << json_number(value) << std::endl;
   std::cout << json_number(std::numeric_limits<double>::infinity()) << " "
-            << json_number(std::numeric_limits<double>::quiet_NaN()) << std::endl;
+            << json_number(std::numeric_limits<double>::quiet_NaN())
+            << std::endl;
 
   JsonObject inner;
-  inner.add("count", 3u).add("yes", true).add("list", std::vector<std::string>{});
+  inner.add("count", 3u)
+    .add("yes", true)
+    .add("list", std::vector<std::string>{});
   JsonObject outer;
   outer.add("text", "line\nbreak")
     .add("inner", inner)

@@ -1,6 +1,6 @@
 // What the program says: the two lines that other programs read, the pre-flight
-// report and its warnings, numbers for people, and the log, which also gets what
-// was said before it was opened and what a terminal only shows in passing.
+// report and its warnings, numbers for people, and the log, which also gets
+// what was said before it was opened and what a terminal only shows in passing.
 
 #include <mpm_granular/output/number_text.h>
 #include <mpm_granular/output/preflight.h>
@@ -43,7 +43,7 @@ preflight()
   report.max_points_per_cell = 4;
   report.mass                = 3000.;
   report.materials           = {
-    {"sand", "drucker prager", 1500., 833333.333, 384615.385, 6400}};
+              {"sand", "drucker prager", 1500., 833333.333, 384615.385, 6400}};
   report.end_time       = 2.;
   report.stable_dt      = 4e-4;
   report.chosen_dt      = 5e-4;

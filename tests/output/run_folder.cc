@@ -84,19 +84,29 @@ main()
 
   const Output::RunFolder folder("place/new/deep", false);
   folder.prepare();
-  for (const std::string name :
-       {"parameters.prm",       "manifest.json",       "observables.csv",
-        "profile.csv",          "points.pvd",          "grid.pvd",
-        "log.txt",              "points/points-00000.vtu",
-        "points/points-123456.vtu", "grid/grid-00001.vtu",
-        "points.pvd.tmp",       "points/points-00002.vtu.tmp"})
+  for (const std::string name : {"parameters.prm",
+                                 "manifest.json",
+                                 "observables.csv",
+                                 "profile.csv",
+                                 "points.pvd",
+                                 "grid.pvd",
+                                 "log.txt",
+                                 "points/points-00000.vtu",
+                                 "points/points-123456.vtu",
+                                 "grid/grid-00001.vtu",
+                                 "points.pvd.tmp",
+                                 "points/points-00002.vtu.tmp"})
     touch(folder.file(name));
-  for (const std::string name :
-       {"notes.txt", "my points.pvd", "points/points-00000.vtu.bak",
-        "points/mine.vtu", "pictures/front.png", "other/manifest.json"})
+  for (const std::string name : {"notes.txt",
+                                 "my points.pvd",
+                                 "points/points-00000.vtu.bak",
+                                 "points/mine.vtu",
+                                 "pictures/front.png",
+                                 "other/manifest.json"})
     touch(folder.file(name));
 
-  expect_refusal("Occupied", [] { Output::RunFolder("place/new/deep", false); });
+  expect_refusal("Occupied",
+                 [] { Output::RunFolder("place/new/deep", false); });
   const Output::RunFolder again("place/new/deep", true);
   std::cout << "Untouched before prepare(): "
             << fs::exists(again.file("manifest.json")) << std::endl;

@@ -42,6 +42,6 @@ main()
             << "Next: " << seconds.next() << std::endl;
 
   Output::Schedule never(0.);
-  std::cout << "Without interval: " << never.passes(1e9) << ", next is infinite "
-            << std::isinf(never.next()) << std::endl;
+  std::cout << "Without interval: " << never.passes(1e9)
+            << ", next is infinite " << std::isinf(never.next()) << std::endl;
 }

@@ -18,9 +18,9 @@ ALLOWED = {
     "transfer": {"points", "grid", "mesh"},
     "momentum": {"grid", "mesh"},
     "boundary": {"grid", "mesh"},
-    "time": set(),
-    "output": {"points", "mesh"},
-    "observables": {"points", "mesh"},
+    "time": {"mesh"},
+    "output": {"points", "mesh", "materials"},
+    "observables": {"points", "mesh", "materials"},
     "solver": {"mesh", "points", "grid", "materials", "transfer", "momentum",
                "boundary", "time", "output", "observables"},
 }

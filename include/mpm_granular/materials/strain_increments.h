@@ -83,6 +83,17 @@ namespace mpm_granular::Materials
       return result;
     }
 
+    /// dt e : @p deviator of point @p index, with the rotated strain [Pa].
+    double
+    strain_product(const Stress<dim> &deviator, const unsigned int index) const
+    {
+      double product = 0.;
+      for (unsigned int c = 0; c < n_stress<dim>; ++c)
+        product += (stress_index[c][0] == stress_index[c][1] ? 1. : 2.) *
+                   deviatoric_strain[c][index] * deviator[c];
+      return product;
+    }
+
     /// The trial deviator of point @p index (T18) [Pa].
     /// @param deviator before the step [Pa].
     Stress<dim>

@@ -32,6 +32,10 @@ namespace mpm_granular::Observables
     double                 end;   ///< highest coordinate of the mesh along [m]
     double                 floor; ///< lowest coordinate of the mesh upwards [m]
 
+    dealii::Tensor<1, dim> across; ///< unit vector along the depth; in 2D zero
+    double left;  ///< lowest coordinate of the mesh across [m]
+    double right; ///< highest coordinate of the mesh across [m]
+
     /// Height of @p x above the lowest point of the mesh [m].
     double
     height(const dealii::Point<dim> &x) const

@@ -27,7 +27,8 @@ namespace mpm_granular::Observables
    *
    * @param points the points.
    * @param direction a unit vector.
-   * @param fraction of the mass, above 0 and up to 1.
+   * @param fraction of the mass, above 0 and up to 1; 1e-9 of it may be missing,
+   *   so that the round-off of sums does not matter.
    * @param slab only points in there count.
    * @return the coordinate of a point [m], up to 1e-9 of the range of all
    *   coordinates; NaN if there is no point.

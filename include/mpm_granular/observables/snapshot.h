@@ -22,10 +22,11 @@ namespace mpm_granular::Observables
 
     dealii::Tensor<1, dim> gravity; ///< now [m/s^2]
 
-    const Points::PointArrays<dim>                         &points;
-    const Mesh::BackgroundMesh<dim>                        &mesh;
-    const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws; ///< by material
-    const EnergyLedger                                     &ledger;
+    const Points::PointArrays<dim>  &points;
+    const Mesh::BackgroundMesh<dim> &mesh;
+    const std::vector<const Materials::ConstitutiveLaw<dim> *>
+                       &laws; ///< by material
+    const EnergyLedger &ledger;
   };
 } // namespace mpm_granular::Observables
 

@@ -53,6 +53,7 @@ namespace mpm_granular::Points
       return cell.size();
     }
 
+    /// Keeps the points there are; what is added is zero.
     void
     resize(const std::size_t n_points, const unsigned int n_history);
 

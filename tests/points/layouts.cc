@@ -1,0 +1,82 @@
+// Points of a region: volumes add up to the region's, symmetric layouts integrate
+// linear functions exactly and, from 3 (2D) or 4 (3D) points on, those of degree
+// two as far as they claim.
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <mpm_granular/points/region.h>
+
+#include <iostream>
+
+#include "../jittered_box.h"
+
+using namespace Test;
+
+template <int dim>
+std::vector<Points::Seed<dim>>
+fill(const Mesh::BackgroundMesh<dim> &mesh, const std::string &entries)
+{
+  Points::Region<dim> region;
+  for (unsigned int pass = 0; pass < 2; ++pass)
+    {
+      ParameterHandler prm;
+      region.add_parameters(prm);
+      prm.parse_input_from_string(entries, "", true);
+    }
+  region.check();
+  return region.fill(mesh, "");
+}
+
+template <int dim>
+void
+test()
+{
+  const Mesh::BackgroundMesh<dim> mesh(JitteredBox<dim>(3), "");
+  const std::string ones = dim == 2 ? "1, 1" : "1, 1, 1";
+
+  // Integrals over the unit box: of x_0 it is 1/2.
+  for (const unsigned int n : {1, 3, 4, 8, 9, 16})
+    {
+      if ((dim == 2 && n == 8) || (dim == 3 && (n == 3 || n == 9)))
+        continue;
+      double     volume = 0., first = 0., second = 0.;
+      const auto seeds =
+        fill(mesh, "set Points per cell = " + std::to_string(n));
+      for (const auto &seed : seeds)
+        {
+          volume += seed.volume;
+          first += seed.volume * seed.position[0];
+          second += seed.volume * seed.position[0] * seed.position[0];
+        }
+      std::cout << dim << "D, " << n << " per cell: "
+                << seeds.size() / double(mesh.n_cells()) << ", volume "
+                << volume << ", x " << first << ", x^2 exact "
+                << (std::abs(second - 1. / 3.) < 1e-12) << std::endl;
+    }
+
+  const std::string spacing = dim == 2 ? "0.1, 0.2" : "0.1, 0.2, 0.25";
+  double            volume  = 0.;
+  const auto seeds = fill(mesh, "set Layout = lattice\nset Spacing = " + spacing);
+  for (const auto &seed : seeds)
+    volume += seed.volume;
+  std::cout << "lattice: " << seeds.size() << ", volume " << volume << std::endl;
+
+  try
+    {
+      fill(mesh, "set Layout = lattice\nset Upper corner = 2" +
+                   std::string(dim == 2 ? ", 1" : ", 1, 1") +
+                   "\nset Spacing = " + spacing);
+      std::cout << "points outside the mesh were accepted" << std::endl;
+    }
+  catch (const InputError &error)
+    {
+      std::cout << error.what() << std::endl;
+    }
+}
+
+int
+main()
+{
+  test<2>();
+  test<3>();
+}

@@ -1,0 +1,79 @@
+#ifndef tests_transfer_scattered_points_h
+#define tests_transfer_scattered_points_h
+
+#include <mpm_granular/grid/nodal_fields.h>
+#include <mpm_granular/points/material_points.h>
+#include <mpm_granular/transfer/grid_to_points.h>
+#include <mpm_granular/transfer/points_to_grid.h>
+
+#include <functional>
+
+#include "../jittered_box.h"
+
+namespace Test
+{
+  /// Points all over the unit box, with irregular masses and given velocities,
+  /// and a grid.
+  template <int dim>
+  struct ScatteredPoints
+  {
+    const Mesh::BackgroundMesh<dim> mesh;
+    Points::MaterialPoints<dim>     points;
+    Grid::NodalFields<dim>          fields;
+    Transfer::PointBlock<dim>       block;
+
+    explicit ScatteredPoints(
+      const std::function<Tensor<1, dim>(const Point<dim> &)> &velocity)
+      : mesh(JitteredBox<dim>(4), "")
+      , points(mesh, {})
+      , fields(mesh)
+    {
+      std::vector<Points::Seed<dim>> seeds;
+      for (unsigned int i = 0; i < 3000; ++i)
+        {
+          Point<dim> x;
+          for (unsigned int d = 0; d < dim; ++d)
+            x[d] = .1 + .8 * scattered(dim * i + d);
+          seeds.push_back({x, mesh.locate(x), 1e-3 * (1. + scattered(i))});
+        }
+      points.insert(seeds, 0, 1000.);
+      points.load();
+      auto &arrays = points.arrays();
+      for (unsigned int p = 0; p < arrays.size(); ++p)
+        {
+          const Tensor<1, dim> v = velocity(arrays.location(p));
+          for (unsigned int d = 0; d < dim; ++d)
+            arrays.velocity[d][p] = v[d];
+          for (unsigned int s = 0; s < n_stress<dim>; ++s)
+            arrays.stress[s][p] = scattered(9 * p + s);
+        }
+    }
+
+    template <class Action>
+    void
+    for_each_block(Action &&action)
+    {
+      auto &arrays = points.arrays();
+      for (unsigned int next = 0; next < arrays.size(); next = block.end)
+        {
+          block.reinit(arrays, next);
+          action();
+        }
+    }
+
+    /// Points to grid.
+    void
+    project()
+    {
+      fields.clear_cells();
+      for_each_block([&] {
+        Transfer::relocate(mesh, points.arrays(), block);
+        Transfer::add_mass_and_momentum(points.arrays(), block, fields);
+        Transfer::add_stress(points.arrays(), block, fields);
+      });
+      fields.gather_nodes();
+    }
+  };
+} // namespace Test
+
+#endif
