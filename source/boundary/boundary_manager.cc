@@ -1,6 +1,6 @@
-#include <mpm_granular/boundary/boundary_manager.h>
-
 #include <deal.II/base/quadrature_lib.h>
+
+#include <mpm_granular/boundary/boundary_manager.h>
 
 #include <map>
 #include <set>
@@ -24,7 +24,7 @@ namespace mpm_granular::Boundary
     /// Adds a face's normal to those of a node, weighted by the face's area.
     template <int dim>
     void
-    add_normal(std::vector<Tensor<1, dim>> &normals,
+    add_normal(std::vector<Tensor<1, dim>>   &normals,
                const Mesh::BoundaryFace<dim> &face)
     {
       for (auto &normal : normals)
@@ -50,7 +50,9 @@ namespace mpm_granular::Boundary
                       boundaries,
                       "Boundaries the condition is for, by their names in the "
                       "mesh file (x_min, x_max, ... for a box) or their ids.");
-    condition.add_parameters(prm, "Type", "What holds or loads the material there:");
+    condition.add_parameters(prm,
+                             "Type",
+                             "What holds or loads the material there:");
   }
 
   template <int dim>
@@ -109,8 +111,8 @@ namespace mpm_granular::Boundary
                     entry_of_node[node] = nodes.size();
                     nodes.push_back({node, {}});
                   }
-                auto          &directions = nodes[entry_of_node[node]].directions;
-                Tensor<1, dim> rest       = given;
+                auto &directions    = nodes[entry_of_node[node]].directions;
+                Tensor<1, dim> rest = given;
                 for (const auto &before : directions)
                   rest -= (rest * before.orthonormal) * before.orthonormal;
                 if (rest.norm() > independent)
@@ -127,10 +129,11 @@ namespace mpm_granular::Boundary
             boundary = name;
         open += (open.empty() ? "" : ", ") + boundary;
       }
-    require(open.empty(),
-            "No boundary condition for: " + open +
-              ". Give one under 'Boundary conditions' ('free' leaves a boundary "
-              "open).");
+    require(
+      open.empty(),
+      "No boundary condition for: " + open +
+        ". Give one under 'Boundary conditions' ('free' leaves a boundary "
+        "open).");
   }
 
   template <int dim>
@@ -145,13 +148,13 @@ namespace mpm_granular::Boundary
         const unsigned int entry = entry_of_node[fields.active_nodes[slot]];
         if (entry == none)
           continue;
-        const Node                &node = nodes[entry];
-        Grid::NodeConstraint<dim>  constraint;
+        const Node               &node = nodes[entry];
+        Grid::NodeConstraint<dim> constraint;
         constraint.slot         = slot;
         constraint.n_directions = node.directions.size();
         for (unsigned int k = 0; k < node.directions.size(); ++k)
           {
-            const Direction &direction = node.directions[k];
+            const Direction     &direction = node.directions[k];
             const Tensor<1, dim> velocity =
               direction.condition->velocity(mesh.node_position(node.node),
                                             time,

@@ -23,18 +23,17 @@ namespace mpm_granular::Boundary
   void
   PrescribedMotion<dim>::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter(quantity,
-                      text,
-                      "All components, expressions of x, y, z and t separated by "
-                      "semicolons. Units: " +
-                        unit + ".");
-    prm.add_parameter("Components",
-                      components,
-                      "The components that are prescribed; others are free.",
-                      Patterns::List(
-                        Patterns::Selection(dim == 2 ? "x|y" : "x|y|z"),
-                        1,
-                        dim));
+    prm.add_parameter(
+      quantity,
+      text,
+      "All components, expressions of x, y, z and t separated by "
+      "semicolons. Units: " +
+        unit + ".");
+    prm.add_parameter(
+      "Components",
+      components,
+      "The components that are prescribed; others are free.",
+      Patterns::List(Patterns::Selection(dim == 2 ? "x|y" : "x|y|z"), 1, dim));
   }
 
   template <int dim>
@@ -106,17 +105,13 @@ namespace mpm_granular::Boundary
       "displacement components given as functions of place and time.";
     template <int dim>
     using Registry = BoundaryConditionRegistry<dim>;
-    const Registry<2>::Entry<PrescribedVelocity<2>> velocity_2d(
-      "prescribed velocity",
-      velocity_documentation);
-    const Registry<3>::Entry<PrescribedVelocity<3>> velocity_3d(
-      "prescribed velocity",
-      velocity_documentation);
-    const Registry<2>::Entry<PrescribedDisplacement<2>> displacement_2d(
-      "prescribed displacement",
-      displacement_documentation);
-    const Registry<3>::Entry<PrescribedDisplacement<3>> displacement_3d(
-      "prescribed displacement",
-      displacement_documentation);
+    const Registry<2>::Entry<PrescribedVelocity<2>>
+      velocity_2d("prescribed velocity", velocity_documentation);
+    const Registry<3>::Entry<PrescribedVelocity<3>>
+      velocity_3d("prescribed velocity", velocity_documentation);
+    const Registry<2>::Entry<PrescribedDisplacement<2>>
+      displacement_2d("prescribed displacement", displacement_documentation);
+    const Registry<3>::Entry<PrescribedDisplacement<3>>
+      displacement_3d("prescribed displacement", displacement_documentation);
   } // namespace
 } // namespace mpm_granular::Boundary

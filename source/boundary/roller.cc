@@ -23,9 +23,9 @@ namespace mpm_granular::Boundary
   {
     const std::string documentation =
       "no velocity along the normal, no friction (a symmetry plane).";
-    const BoundaryConditionRegistry<2>::Entry<Roller<2>> roller_2d("roller",
-                                                                   documentation);
-    const BoundaryConditionRegistry<3>::Entry<Roller<3>> roller_3d("roller",
-                                                                   documentation);
+    const BoundaryConditionRegistry<2>::Entry<Roller<2>>
+      roller_2d("roller", documentation);
+    const BoundaryConditionRegistry<3>::Entry<Roller<3>>
+      roller_3d("roller", documentation);
   } // namespace
 } // namespace mpm_granular::Boundary

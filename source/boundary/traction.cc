@@ -8,12 +8,13 @@ namespace mpm_granular::Boundary
   void
   Traction<dim>::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Traction",
-                      text,
-                      "Components of the force per area on the material, "
-                      "expressions of x, y, z and t separated by semicolons. It "
-                      "acts on boundary faces whose cells hold points. Units: "
-                      "Pa.");
+    prm.add_parameter(
+      "Traction",
+      text,
+      "Components of the force per area on the material, "
+      "expressions of x, y, z and t separated by semicolons. It "
+      "acts on boundary faces whose cells hold points. Units: "
+      "Pa.");
   }
 
   template <int dim>
@@ -39,11 +40,9 @@ namespace mpm_granular::Boundary
   namespace
   {
     const std::string documentation = "a given force per area.";
-    const BoundaryConditionRegistry<2>::Entry<Traction<2>> traction_2d(
-      "traction",
-      documentation);
-    const BoundaryConditionRegistry<3>::Entry<Traction<3>> traction_3d(
-      "traction",
-      documentation);
+    const BoundaryConditionRegistry<2>::Entry<Traction<2>>
+      traction_2d("traction", documentation);
+    const BoundaryConditionRegistry<3>::Entry<Traction<3>>
+      traction_3d("traction", documentation);
   } // namespace
 } // namespace mpm_granular::Boundary

@@ -60,8 +60,8 @@ namespace mpm_granular::Grid
       node.force = 0.;
     for (unsigned int c = 0; c < active_cells.size(); ++c)
       {
-        const auto  &geometry = mesh.cell(active_cells[c]);
-        const auto  &stress   = cell_sums[c].stress;
+        const auto    &geometry = mesh.cell(active_cells[c]);
+        const auto    &stress   = cell_sums[c].stress;
         Tensor<2, dim> sigma; // sum_p V_p sigma_p
         for (unsigned int s = 0; s < n_stress<dim>; ++s)
           {
@@ -90,9 +90,9 @@ namespace mpm_granular::Grid
   {
     for (unsigned int c = 0; c < active_cells.size(); ++c)
       {
-        const auto                          &mass  = cell_sums[c].mass;
-        const auto                          &nodes = cell_nodes[c];
-        std::array<Tensor<1, dim>, dim + 1>  local;
+        const auto                         &mass  = cell_sums[c].mass;
+        const auto                         &nodes = cell_nodes[c];
+        std::array<Tensor<1, dim>, dim + 1> local;
         for (unsigned int k = 0; k <= dim; ++k)
           local[k] = field[nodes[k]];
         for (unsigned int k = 0; k <= dim; ++k)

@@ -1,9 +1,9 @@
-#include <mpm_granular/mesh/background_mesh.h>
-#include <mpm_granular/mesh/point_walk.h>
-
 #include <deal.II/base/utilities.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/numerics/rtree.h>
+
+#include <mpm_granular/mesh/background_mesh.h>
+#include <mpm_granular/mesh/point_walk.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +66,8 @@ namespace mpm_granular::Mesh
   template <int dim>
   struct BackgroundMesh<dim>::Locator
   {
-    std::vector<BoundingBox<dim>>                       boxes;
-    decltype(pack_rtree_of_indices(boxes))              tree;
+    std::vector<BoundingBox<dim>>          boxes;
+    decltype(pack_rtree_of_indices(boxes)) tree;
 
     explicit Locator(const std::vector<CellIterator> &cells)
       : boxes(make_boxes(cells))
@@ -143,11 +143,11 @@ namespace mpm_granular::Mesh
     std::vector<types::global_dof_index> on_cell(dim + 1);
     for (unsigned int index = 0; index < iterators.size(); ++index)
       {
-        const auto        &iterator = iterators[index];
-        SimplexCell<dim>  &cell     = cells[index];
-        const Tensor<2, dim> edges  = edge_matrix<dim>(iterator);
-        const double         det    = determinant(edges);
-        volumes[index]              = det / factorial(dim);
+        const auto          &iterator = iterators[index];
+        SimplexCell<dim>    &cell     = cells[index];
+        const Tensor<2, dim> edges    = edge_matrix<dim>(iterator);
+        const double         det      = determinant(edges);
+        volumes[index]                = det / factorial(dim);
         if (!(det > 0.))
           throw InputError("The mesh has an inverted or flat cell at " +
                            as_text(iterator->center()) +
@@ -165,8 +165,8 @@ namespace mpm_granular::Mesh
           }
         for (unsigned int k = 0; k <= dim; ++k)
           {
-            cell.node[k]                = on_cell[k];
-            node_positions[on_cell[k]]  = iterator->vertex(k);
+            cell.node[k]               = on_cell[k];
+            node_positions[on_cell[k]] = iterator->vertex(k);
           }
       }
   }
@@ -202,16 +202,16 @@ namespace mpm_granular::Mesh
             cell.neighbor[opposite] = no_cell;
 
             BoundaryFace<dim> face;
-            face.boundary   = iterator->face(f)->boundary_id();
-            face.cell       = index;
-            unsigned int v  = 0;
+            face.boundary  = iterator->face(f)->boundary_id();
+            face.cell      = index;
+            unsigned int v = 0;
             for (unsigned int k = 0; k <= dim; ++k)
               if (k != opposite)
                 face.node[v++] = cell.node[k];
             // |grad N| = 1/altitude, and volume = area altitude / dim.
             const Tensor<1, dim> inward = cell.shape_gradient(opposite);
             face.normal                 = -inward / inward.norm();
-            face.area = dim * volumes[index] * inward.norm();
+            face.area                   = dim * volumes[index] * inward.norm();
             faces.push_back(face);
           }
       }
@@ -235,10 +235,9 @@ namespace mpm_granular::Mesh
     const double from_cells =
       std::accumulate(volumes.begin(), volumes.end(), 0.);
     if (std::abs(from_cells - from_surface) > 1e-8 * from_cells)
-      throw InputError("The mesh is not valid: its cells fill " +
-                       std::to_string(from_cells) +
-                       ", but its surface encloses " +
-                       std::to_string(from_surface) + ".");
+      throw InputError(
+        "The mesh is not valid: its cells fill " + std::to_string(from_cells) +
+        ", but its surface encloses " + std::to_string(from_surface) + ".");
   }
 
   template <int dim>

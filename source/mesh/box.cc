@@ -1,6 +1,6 @@
-#include <mpm_granular/mesh/box.h>
-
 #include <deal.II/grid/grid_generator.h>
+
+#include <mpm_granular/mesh/box.h>
 
 #include <cmath>
 
@@ -20,8 +20,12 @@ namespace mpm_granular::Mesh
   void
   Box<dim>::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Lower corner", lower, "Corner with the smallest coordinates. Units: m.");
-    prm.add_parameter("Upper corner", upper, "Corner with the largest coordinates. Units: m.");
+    prm.add_parameter("Lower corner",
+                      lower,
+                      "Corner with the smallest coordinates. Units: m.");
+    prm.add_parameter("Upper corner",
+                      upper,
+                      "Corner with the largest coordinates. Units: m.");
     prm.add_parameter("Subdivisions",
                       subdivisions,
                       "Number of subdivisions in each direction; each one is "

@@ -1,8 +1,8 @@
-#include <mpm_granular/mesh/gmsh_file.h>
-#include <mpm_granular/parameters/file_name.h>
-
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/reference_cell.h>
+
+#include <mpm_granular/mesh/gmsh_file.h>
+#include <mpm_granular/parameters/file_name.h>
 
 #include <fstream>
 #include <sstream>
@@ -76,8 +76,8 @@ namespace mpm_granular::Mesh
 
     // The reader of streams, not the one that goes through the gmsh library:
     // that one garbles meshes of OpenCASCADE geometries (deal.II 9.4).
-    std::ifstream   file(path);
-    GridIn<dim>     reader(triangulation);
+    std::ifstream file(path);
+    GridIn<dim>   reader(triangulation);
     try
       {
         reader.read_msh(file);

@@ -13,7 +13,9 @@ namespace mpm_granular::Momentum
   void
   MomentumParameters<dim>::add_parameters(ParameterHandler &prm)
   {
-    mass_matrix.add_parameters(prm, "Mass matrix", "Between velocity and momentum of nodes:");
+    mass_matrix.add_parameters(prm,
+                               "Mass matrix",
+                               "Between velocity and momentum of nodes:");
     prm.add_parameter("Mass cut-off",
                       mass_cut_off,
                       "A node with less than this part of the mass of a full "
@@ -102,7 +104,8 @@ namespace mpm_granular::Momentum
 
   template <int dim>
   void
-  MomentumBalance<dim>::strain_with_velocity(Grid::NodalFields<dim> &fields) const
+  MomentumBalance<dim>::strain_with_velocity(
+    Grid::NodalFields<dim> &fields) const
   {
     for (auto &node : fields.motion)
       node.straining = node.velocity;
@@ -113,8 +116,9 @@ namespace mpm_granular::Momentum
   MomentumBalance<dim>::remap_velocity(Grid::NodalFields<dim> &fields,
                                        const StepInput<dim>   &step)
   {
-    // The points' new momentum, seen from the nodes of the old positions, is the
-    // action of the sampled consistent mass matrix: no pass over the points.
+    // The points' new momentum, seen from the nodes of the old positions, is
+    // the action of the sampled consistent mass matrix: no pass over the
+    // points.
     const unsigned int n = fields.n_active_nodes();
     for (unsigned int i = 0; i < n; ++i)
       scratch[i] = (1. - step.pic_factor) * old_momentum[i];
@@ -141,7 +145,7 @@ namespace mpm_granular::Momentum
           step.time_step * (force(fields, step, i) - node.load);
         work.total += impulse * mean;
         work.boundary += (impulse - others) * mean;
-        work.straining_loss += step.time_step * node.force *
+        work.straining_loss += .5 * step.time_step * node.force *
                                (fields.motion[i].straining - new_velocity[i]);
       }
     return work;

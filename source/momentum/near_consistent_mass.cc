@@ -37,7 +37,8 @@ namespace mpm_granular::Momentum
 
     template <int dim>
     NodalVectors<dim>
-    on_active_nodes(const NodeVector &vector, const Grid::NodalFields<dim> &fields)
+    on_active_nodes(const NodeVector             &vector,
+                    const Grid::NodalFields<dim> &fields)
     {
       NodalVectors<dim> result(fields.n_active_nodes());
       for (unsigned int slot = 0; slot < result.size(); ++slot)
@@ -129,10 +130,11 @@ namespace mpm_granular::Momentum
   void
   NearConsistentMass<dim>::check() const
   {
-    require(alpha < 1.,
-            "Scheme/Consistent part must be below 1 (the consistent mass matrix "
-            "is singular where cells hold few points); given: " +
-              std::to_string(alpha) + ".");
+    require(
+      alpha < 1.,
+      "Scheme/Consistent part must be below 1 (the consistent mass matrix "
+      "is singular where cells hold few points); given: " +
+        std::to_string(alpha) + ".");
   }
 
   template <int dim>
@@ -186,10 +188,10 @@ namespace mpm_granular::Momentum
     residual -= image;
     project(residual, *fields, constraints);
 
-    const double                scale = residual.l2_norm();
-    SolverControl               control(max_iterations, tolerance * scale);
-    SolverCG<NodeVector>        cg(control);
-    NodeVector                  variation(residual);
+    const double         scale = residual.l2_norm();
+    SolverControl        control(max_iterations, tolerance * scale);
+    SolverCG<NodeVector> cg(control);
+    NodeVector           variation(residual);
     variation = 0.;
     try
       {
@@ -225,8 +227,8 @@ namespace mpm_granular::Momentum
   double
   NearConsistentMass<dim>::time_step_factor() const
   {
-    // The worst case, a cell with too few points for a regular mass matrix; full
-    // cells would allow sqrt(1 - alpha (dim+1)/(dim+2)).
+    // The worst case, a cell with too few points for a regular mass matrix;
+    // full cells would allow sqrt(1 - alpha (dim+1)/(dim+2)).
     return std::sqrt(1. - alpha);
   }
 
@@ -238,11 +240,9 @@ namespace mpm_granular::Momentum
     const std::string documentation =
       "alpha M + (1 - alpha) M_l, a Trilinos matrix solved with conjugate "
       "gradients (the paper's M_alpha).";
-    const MassMatrixRegistry<2>::Entry<NearConsistentMass<2>> plane(
-      "near-consistent",
-      documentation);
-    const MassMatrixRegistry<3>::Entry<NearConsistentMass<3>> space(
-      "near-consistent",
-      documentation);
+    const MassMatrixRegistry<2>::Entry<NearConsistentMass<2>>
+      plane("near-consistent", documentation);
+    const MassMatrixRegistry<3>::Entry<NearConsistentMass<3>>
+      space("near-consistent", documentation);
   } // namespace
 } // namespace mpm_granular::Momentum

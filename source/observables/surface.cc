@@ -36,9 +36,10 @@ namespace mpm_granular::Observables
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         const Point<dim> x = points.location(i);
-        const int bin = std::clamp<int>((frame.along * x - frame.start) / bin_width,
-                                        0,
-                                        n_bins - 1);
+        const int        bin =
+          std::clamp<int>((frame.along * x - frame.start) / bin_width,
+                          0,
+                          n_bins - 1);
         const int column =
           n_columns == 1 ?
             0 :

@@ -14,12 +14,13 @@ namespace mpm_granular::Points
                       surface,
                       "Height of the horizontal surface, against gravity from "
                       "the origin; no stress above it. Units: m.");
-    prm.add_parameter("K0",
-                      ratio,
-                      "Ratio of horizontal to vertical stress. Elastic at rest "
-                      "nu/(1 - nu); the cone of slope m admits (3 - m)/(3 + 2m) "
-                      "and more. Units: -.",
-                      Patterns::Double(0.));
+    prm.add_parameter(
+      "K0",
+      ratio,
+      "Ratio of horizontal to vertical stress. Elastic at rest "
+      "nu/(1 - nu); the cone of slope m admits (3 - m)/(3 + 2m) "
+      "and more. Units: -.",
+      Patterns::Double(0.));
   }
 
   template <int dim>
@@ -38,7 +39,7 @@ namespace mpm_granular::Points
     for (unsigned int s = 0; s < n_stress<dim>; ++s)
       {
         const unsigned int i = stress_index[s][0], j = stress_index[s][1];
-        const double along = i < dim && j < dim ? up[i] * up[j] : 0.;
+        const double       along = i < dim && j < dim ? up[i] * up[j] : 0.;
         result[s] = vertical * (along + ratio * ((i == j ? 1. : 0.) - along));
       }
     return result;
@@ -51,11 +52,9 @@ namespace mpm_granular::Points
   {
     const std::string documentation =
       "the weight of what lies above, and K0 times it sideways.";
-    const InitialStressRegistry<2>::Entry<GeostaticStress<2>> geostatic_2d(
-      "geostatic",
-      documentation);
-    const InitialStressRegistry<3>::Entry<GeostaticStress<3>> geostatic_3d(
-      "geostatic",
-      documentation);
+    const InitialStressRegistry<2>::Entry<GeostaticStress<2>>
+      geostatic_2d("geostatic", documentation);
+    const InitialStressRegistry<3>::Entry<GeostaticStress<3>>
+      geostatic_3d("geostatic", documentation);
   } // namespace
 } // namespace mpm_granular::Points

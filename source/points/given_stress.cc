@@ -22,11 +22,12 @@ namespace mpm_granular::Points
   void
   GivenStress<dim>::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Stress components",
-                      text,
-                      "Cauchy stress, tension positive: expressions of x, y and "
-                      "z separated by semicolons, in 2D for xx, yy, zz, xy, in "
-                      "3D for xx, yy, zz, xy, yz, zx. Units: Pa.");
+    prm.add_parameter(
+      "Stress components",
+      text,
+      "Cauchy stress, tension positive: expressions of x, y and "
+      "z separated by semicolons, in 2D for xx, yy, zz, xy, in "
+      "3D for xx, yy, zz, xy, yz, zx. Units: Pa.");
   }
 
   template <int dim>
@@ -59,8 +60,8 @@ namespace mpm_granular::Points
     const std::string given_documentation = "given as functions of place.";
     template <int dim>
     using Registry = InitialStressRegistry<dim>;
-    const Registry<2>::Entry<NoStress<2>>    none_2d("none", none_documentation);
-    const Registry<3>::Entry<NoStress<3>>    none_3d("none", none_documentation);
+    const Registry<2>::Entry<NoStress<2>> none_2d("none", none_documentation);
+    const Registry<3>::Entry<NoStress<3>> none_3d("none", none_documentation);
     const Registry<2>::Entry<GivenStress<2>> given_2d("function",
                                                       given_documentation);
     const Registry<3>::Entry<GivenStress<3>> given_3d("function",

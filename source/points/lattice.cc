@@ -24,7 +24,8 @@ namespace mpm_granular::Points
       require(spacing[d] > 0.,
               "'Spacing' of a lattice of points must be positive in every "
               "direction; in direction " +
-                std::to_string(d) + " it is " + std::to_string(spacing[d]) + ".");
+                std::to_string(d) + " it is " + std::to_string(spacing[d]) +
+                ".");
   }
 
   template <int dim>
@@ -33,14 +34,14 @@ namespace mpm_granular::Points
                       const RegionShape<dim>          &shape,
                       const std::string & /*input_file*/) const
   {
-    const auto corners =
-      shape.bounding_box(mesh).get_boundary_points();
+    const auto corners = shape.bounding_box(mesh).get_boundary_points();
     std::array<unsigned int, 3> n{{1, 1, 1}};
     double                      volume = 1.;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        n[d] = std::max(1., std::round((corners.second[d] - corners.first[d]) /
-                                       spacing[d]));
+        n[d] = std::max(1.,
+                        std::round((corners.second[d] - corners.first[d]) /
+                                   spacing[d]));
         volume *= spacing[d];
       }
 

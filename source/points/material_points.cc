@@ -77,11 +77,12 @@ namespace mpm_granular::Points
                               const unsigned int            material,
                               const double                  density)
   {
-    std::vector<double>         properties(n_properties<dim>(names.size()), 0.);
-    types::particle_index       id = particles.n_global_particles();
+    std::vector<double>   properties(n_properties<dim>(names.size()), 0.);
+    types::particle_index id = particles.n_global_particles();
     for (const auto &seed : seeds)
       {
-        const auto shape_values = mesh.cell(seed.cell).shape_values(seed.position);
+        const auto shape_values =
+          mesh.cell(seed.cell).shape_values(seed.position);
         Point<dim> reference;
         for (unsigned int d = 0; d < dim; ++d)
           reference[d] = shape_values[d + 1];
@@ -114,12 +115,13 @@ namespace mpm_granular::Points
                                });
         working_set.material[p] = static_cast<std::uint8_t>(
           properties[n_properties<dim>(names.size()) - 1]);
-        working_set.id[p]   = particle.get_id();
-        working_set.cell[p] = mesh.flat_index(
-          particle.get_surrounding_cell(mesh.triangulation()));
+        working_set.id[p] = particle.get_id();
+        working_set.cell[p] =
+          mesh.flat_index(particle.get_surrounding_cell(mesh.triangulation()));
         ++p;
       }
     particles.clear_particles();
+    particles.update_cached_numbers();
     order();
   }
 
@@ -208,9 +210,9 @@ namespace mpm_granular::Points
     std::size_t bytes = particles.n_locally_owned_particles() *
                           bytes_per_particle<dim>(names.size()) +
                         n_in_cell.capacity() * sizeof(unsigned int);
-    const_cast<PointArrays<dim> &>(working_set).for_each_array([&](auto &array) {
-      bytes += array.capacity() * sizeof(array[0]);
-    });
+    const_cast<PointArrays<dim> &>(working_set)
+      .for_each_array(
+        [&](auto &array) { bytes += array.capacity() * sizeof(array[0]); });
     return bytes;
   }
 

@@ -1,9 +1,9 @@
-#include <mpm_granular/parameters/file_name.h>
-#include <mpm_granular/points/point_file.h>
-
 #include <deal.II/base/hdf5.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/full_matrix.h>
+
+#include <mpm_granular/parameters/file_name.h>
+#include <mpm_granular/points/point_file.h>
 
 #include <fstream>
 
@@ -23,7 +23,8 @@ namespace mpm_granular::Points
       std::ifstream     file(path);
       std::string       line;
       std::getline(file, line);
-      line.erase(std::remove_if(line.begin(), line.end(), ::isspace), line.end());
+      line.erase(std::remove_if(line.begin(), line.end(), ::isspace),
+                 line.end());
       require(line == header,
               path + ", line 1: the header must be '" + header + "', not '" +
                 line + "'.");
@@ -61,7 +62,8 @@ namespace mpm_granular::Points
           const auto positions =
             file.open_dataset("position").read<FullMatrix<double>>();
           require(positions.m() == volumes.size() && positions.n() == dim,
-                  path + ": 'position' must have as many rows as 'volume' and " +
+                  path +
+                    ": 'position' must have as many rows as 'volume' and " +
                     std::to_string(dim) + " columns.");
           Table table;
           for (unsigned int row = 0; row < volumes.size(); ++row)
@@ -85,12 +87,13 @@ namespace mpm_granular::Points
   void
   PointFile<dim>::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("File",
-                      file_name,
-                      "File of points, relative to this parameter file: CSV with "
-                      "the header x,y,volume (2D) or x,y,z,volume (3D), or HDF5 "
-                      "(name ends in .h5) with the data sets 'position' and "
-                      "'volume'. Units: m and m^3, in 2D m^2.");
+    prm.add_parameter(
+      "File",
+      file_name,
+      "File of points, relative to this parameter file: CSV with "
+      "the header x,y,volume (2D) or x,y,z,volume (3D), or HDF5 "
+      "(name ends in .h5) with the data sets 'position' and "
+      "'volume'. Units: m and m^3, in 2D m^2.");
   }
 
   template <int dim>
@@ -122,7 +125,7 @@ namespace mpm_granular::Points
           x[d] = table[row][d];
         const double       volume = table[row][dim];
         const unsigned int cell   = mesh.locate(x);
-        const std::string  name   = path + ": point " + std::to_string(row + 1) +
+        const std::string  name = path + ": point " + std::to_string(row + 1) +
                                  " at " + Mesh::as_text(x);
         require(cell != Mesh::no_cell, name + " lies outside the mesh.");
         require(volume > 0.,

@@ -18,8 +18,12 @@ namespace mpm_granular::Points
   void
   BoxShape<dim>::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Lower corner", lower, "Corner with the smallest coordinates. Units: m.");
-    prm.add_parameter("Upper corner", upper, "Corner with the largest coordinates. Units: m.");
+    prm.add_parameter("Lower corner",
+                      lower,
+                      "Corner with the smallest coordinates. Units: m.");
+    prm.add_parameter("Upper corner",
+                      upper,
+                      "Corner with the largest coordinates. Units: m.");
   }
 
   template <int dim>
@@ -36,7 +40,8 @@ namespace mpm_granular::Points
 
   template <int dim>
   bool
-  BoxShape<dim>::contains(const Point<dim> &x, const unsigned int /*cell*/) const
+  BoxShape<dim>::contains(const Point<dim> &x,
+                          const unsigned int /*cell*/) const
   {
     for (unsigned int d = 0; d < dim; ++d)
       if (x[d] < lower[d] || x[d] >= upper[d])
@@ -55,18 +60,20 @@ namespace mpm_granular::Points
   void
   CellSetShape<dim>::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Cell sets",
-                      sets,
-                      "Sets of cells of the mesh that the region fills, by their "
-                      "names in the mesh file or their material ids.");
+    prm.add_parameter(
+      "Cell sets",
+      sets,
+      "Sets of cells of the mesh that the region fills, by their "
+      "names in the mesh file or their material ids.");
   }
 
   template <int dim>
   void
   CellSetShape<dim>::check() const
   {
-    require(!sets.empty(),
-            "A region of shape 'cells' needs at least one name in 'Cell sets'.");
+    require(
+      !sets.empty(),
+      "A region of shape 'cells' needs at least one name in 'Cell sets'.");
   }
 
   template <int dim>
@@ -75,7 +82,8 @@ namespace mpm_granular::Points
   {
     std::map<types::material_id, std::string> wanted_ids;
     for (const auto &set : sets)
-      wanted_ids[Mesh::id_by_name(mesh.region_names(), set, "set of cells")] = set;
+      wanted_ids[Mesh::id_by_name(mesh.region_names(), set, "set of cells")] =
+        set;
 
     chosen.assign(mesh.n_cells(), false);
     std::map<types::material_id, unsigned int> n_found;
@@ -119,9 +127,13 @@ namespace mpm_granular::Points
   {
     const std::string box_documentation   = "a box with sides along the axes.";
     const std::string cells_documentation = "sets of cells of the mesh file.";
-    const RegionShapeRegistry<2>::Entry<BoxShape<2>> box_2d("box", box_documentation);
-    const RegionShapeRegistry<3>::Entry<BoxShape<3>> box_3d("box", box_documentation);
-    const RegionShapeRegistry<2>::Entry<CellSetShape<2>> cells_2d("cells", cells_documentation);
-    const RegionShapeRegistry<3>::Entry<CellSetShape<3>> cells_3d("cells", cells_documentation);
+    const RegionShapeRegistry<2>::Entry<BoxShape<2>> box_2d("box",
+                                                            box_documentation);
+    const RegionShapeRegistry<3>::Entry<BoxShape<3>> box_3d("box",
+                                                            box_documentation);
+    const RegionShapeRegistry<2>::Entry<CellSetShape<2>>
+      cells_2d("cells", cells_documentation);
+    const RegionShapeRegistry<3>::Entry<CellSetShape<3>>
+      cells_3d("cells", cells_documentation);
   } // namespace
 } // namespace mpm_granular::Points

@@ -110,7 +110,8 @@ namespace mpm_granular::Points
     const std::vector<unsigned int> valid =
       dim == 2 ? std::vector<unsigned int>{1, 3, 4, 9, 16} :
                  std::vector<unsigned int>{1, 4, 8, 16};
-    require(std::find(valid.begin(), valid.end(), points_per_cell) != valid.end(),
+    require(std::find(valid.begin(), valid.end(), points_per_cell) !=
+              valid.end(),
             std::string("'Points per cell' must be one of ") +
               (dim == 2 ? "1, 3, 4, 9, 16 in a triangle" :
                           "1, 4, 8, 16 in a tetrahedron") +
@@ -146,9 +147,9 @@ namespace mpm_granular::Points
   {
     const std::string documentation =
       "the same symmetric points in every simplex.";
-    const PointLayoutRegistry<2>::Entry<Symmetric<2>> symmetric_2d("symmetric",
-                                                                   documentation);
-    const PointLayoutRegistry<3>::Entry<Symmetric<3>> symmetric_3d("symmetric",
-                                                                   documentation);
+    const PointLayoutRegistry<2>::Entry<Symmetric<2>>
+      symmetric_2d("symmetric", documentation);
+    const PointLayoutRegistry<3>::Entry<Symmetric<3>>
+      symmetric_3d("symmetric", documentation);
   } // namespace
 } // namespace mpm_granular::Points

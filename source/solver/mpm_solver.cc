@@ -16,12 +16,13 @@ namespace mpm_granular::Solver
     const double dt =
       step_control.next_step(step_limits(), current_time, next_event); // (T25)
 
-    fields.gather_nodes();                    // (T9)
+    fields.gather_nodes(); // (T9)
     boundary.update(fields, current_time, dt);
     boundary.add_tractions(fields, current_time); // (T10)
     const Momentum::StepInput<dim> step{dt,
                                         parameters.transfer.pic_factor(dt),
-                                        parameters.body_force.value(current_time),
+                                        parameters.body_force.value(
+                                          current_time),
                                         boundary.constraints()};
     move_and_strain(step); // (T11) to (T24)
 

@@ -13,7 +13,8 @@ namespace mpm_granular::Solver
   {
     /// The output settings with the folder in place of its name.
     Output::OutputParameters
-    in_folder(Output::OutputParameters parameters, const Output::RunFolder &folder)
+    in_folder(Output::OutputParameters parameters,
+              const Output::RunFolder &folder)
     {
       parameters.directory = folder.path();
       return parameters;
@@ -27,7 +28,8 @@ namespace mpm_granular::Solver
     , solver(parameters, info.input_file)
     , folder(parameters.output.directory, info.overwrite || info.check_only)
     , console(true)
-    , points_output(in_folder(parameters.output, folder), solver.material_laws())
+    , points_output(in_folder(parameters.output, folder),
+                    solver.material_laws())
     , grid_output(in_folder(parameters.output, folder))
     , manifest(info.command_line, 1)
     , field_times(parameters.output.interval)
@@ -57,7 +59,7 @@ namespace mpm_granular::Solver
     report.n_filled_cells = solver.nodal_fields().active_cells.size();
 
     report.mass = report.volume = 0.;
-    std::vector<std::uint64_t> n_of_material(laws.size(), 0);
+    std::vector<std::uint64_t>           n_of_material(laws.size(), 0);
     std::map<unsigned int, unsigned int> n_in_cell;
     for (unsigned int p = 0; p < arrays.size(); ++p)
       {
@@ -74,22 +76,23 @@ namespace mpm_granular::Solver
     report.min_points_per_cell = fewest->second;
     report.max_points_per_cell = most->second;
     for (unsigned int m = 0; m < laws.size(); ++m)
-      report.materials.push_back({names[m],
-                                  parameters.materials[names[m]].law.chosen_name(),
-                                  laws[m]->density(),
-                                  laws[m]->bulk_modulus(),
-                                  laws[m]->shear_modulus(),
-                                  n_of_material[m]});
+      report.materials.push_back(
+        {names[m],
+         parameters.materials[names[m]].law.chosen_name(),
+         laws[m]->density(),
+         laws[m]->bulk_modulus(),
+         laws[m]->shear_modulus(),
+         n_of_material[m]});
 
-    report.end_time  = parameters.end_time;
-    report.stable_dt = limits.critical_step;
-    report.chosen_dt = parameters.time_step.is_fixed() ?
-                         parameters.time_step.fixed_step :
-                         parameters.time_step.cfl * limits.critical_step;
-    report.gravity = parameters.body_force.value(0.).norm();
-    report.n_files = parameters.output.interval > 0. ?
-                       parameters.end_time / parameters.output.interval + 1. :
-                       2.;
+    report.end_time        = parameters.end_time;
+    report.stable_dt       = limits.critical_step;
+    report.chosen_dt       = parameters.time_step.is_fixed() ?
+                               parameters.time_step.fixed_step :
+                               parameters.time_step.cfl * limits.critical_step;
+    report.gravity         = parameters.body_force.value(0.).norm();
+    report.n_files         = parameters.output.interval > 0. ?
+                               parameters.end_time / parameters.output.interval + 1. :
+                               2.;
     report.bytes_per_file  = points_output.estimated_file_size(arrays.size());
     report.bytes_in_memory = solver.memory_consumption();
     report.warnings        = solver.warnings();
@@ -121,8 +124,8 @@ namespace mpm_granular::Solver
     catch (const ComputationError &error)
       {
         std::ostringstream message;
-        message << "The computation failed at time " << solver.time() << " s (step "
-                << solver.step() << "): " << error.what();
+        message << "The computation failed at time " << solver.time()
+                << " s (step " << solver.step() << "): " << error.what();
         close_output(Output::Manifest::Outcome::failed, message.str());
         throw ComputationError(message.str());
       }
@@ -237,9 +240,11 @@ namespace mpm_granular::Solver
         write_observables();
         write_fields();
       }
-    Output::write_atomically(folder.file("profile.csv"), [&](std::ostream &file) {
-      file << parameters.observables.profile_text(solver.snapshot());
-    });
+    Output::write_atomically(folder.file("profile.csv"),
+                             [&](std::ostream &file) {
+                               file << parameters.observables.profile_text(
+                                 solver.snapshot());
+                             });
 
     const auto           &points = solver.material_points();
     const Output::Summary summary{solver.time(),

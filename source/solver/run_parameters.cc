@@ -58,22 +58,27 @@ namespace mpm_granular::Solver
                       Patterns::Double(0.));
 
     add_section(prm, "Mesh", [&] {
-      mesh.add_parameters(prm, "Source", "Where the background mesh comes from:");
+      mesh.add_parameters(prm,
+                          "Source",
+                          "Where the background mesh comes from:");
     });
     add_section(prm, "Materials", [&] {
-      materials.add_parameters(prm,
-                               "Materials, each with a subsection of its name.");
+      materials.add_parameters(
+        prm, "Materials, each with a subsection of its name.");
     });
     add_section(prm, "Points", [&] {
-      regions.add_parameters(prm,
-                             "Regions filled with points, each with a subsection "
-                             "of its name.");
+      regions.add_parameters(
+        prm,
+        "Regions filled with points, each with a subsection "
+        "of its name.");
       prm.add_parameter("Remove lost points",
                         remove_lost_points,
                         "Whether points that leave the mesh are removed (and "
                         "counted); otherwise they end the run.");
     });
-    add_section(prm, "Initial state", [&] { initial_state.add_parameters(prm); });
+    add_section(prm, "Initial state", [&] {
+      initial_state.add_parameters(prm);
+    });
     add_section(prm, "Boundary conditions", [&] {
       boundary_conditions.add_parameters(
         prm,
@@ -109,8 +114,9 @@ namespace mpm_granular::Solver
                 "Points/" + name + "/Material = " + material +
                   " is not a material; Materials/Names has: " + list + ".");
       }
-    require(!regions.all_names().empty(),
-            "Points/Names is empty: a run needs at least one region of points.");
+    require(
+      !regions.all_names().empty(),
+      "Points/Names is empty: a run needs at least one region of points.");
     initial_state.check();
     for (const auto &name : boundary_conditions.all_names())
       boundary_conditions[name].check();

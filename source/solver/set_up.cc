@@ -25,7 +25,8 @@ namespace mpm_granular::Solver
       return laws;
     }
 
-    /// Names of the history slots; laws that name one slot differently share it.
+    /// Names of the history slots; laws that name one slot differently share
+    /// it.
     template <int dim>
     std::vector<std::string>
     history_names(const Laws<dim> &laws)
@@ -100,9 +101,10 @@ namespace mpm_granular::Solver
                     "The regions " + regions[before] + " and " + regions[r] +
                       " of 'Points' overlap, for example at " +
                       Mesh::as_text(seed.position) + ".");
-        const unsigned int material =
-          std::find(materials.begin(), materials.end(), region.material_name()) -
-          materials.begin();
+        const unsigned int material = std::find(materials.begin(),
+                                                materials.end(),
+                                                region.material_name()) -
+                                      materials.begin();
         points.insert(seeds, material, laws[material]->density());
       }
     points.load();
@@ -139,8 +141,7 @@ namespace mpm_granular::Solver
   MPMSolver<dim>::find_cell_limits()
   {
     // Any material may come to any cell.
-    const double factor =
-      parameters.momentum.mass_matrix->time_step_factor();
+    const double factor = parameters.momentum.mass_matrix->time_step_factor();
     cell_limits.resize(mesh.n_cells());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       {

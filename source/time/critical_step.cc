@@ -1,6 +1,6 @@
-#include <mpm_granular/time/critical_step.h>
-
 #include <deal.II/base/symmetric_tensor.h>
+
+#include <mpm_granular/time/critical_step.h>
 
 #include <cmath>
 

@@ -9,7 +9,8 @@ namespace mpm_granular::Transfer
 
   namespace
   {
-    /// A linear field in a simplex: value at vertex 0 and gradient, u_i(x) = a_i
+    /// A linear field in a simplex: value at vertex 0 and gradient, u_i(x) =
+    /// a_i
     /// + G_ij (x - x_0)_j. Cheaper per point than shape functions: they are not
     /// needed at all.
     template <int dim>
@@ -75,16 +76,18 @@ namespace mpm_granular::Transfer
 
     for (const auto &run : block.runs)
       {
-        const auto &cell = mesh.cell(points.cell[run.begin]);
+        const auto                  &cell = mesh.cell(points.cell[run.begin]);
         const Grid::NodeMotion<dim> *node[dim + 1];
         for (unsigned int k = 0; k <= dim; ++k)
           node[k] = &fields.motion[fields.slot_of(cell.node[k])];
-        const LinearField<dim> moving(cell, [&](const unsigned int k) -> auto & {
-          return node[k]->velocity;
-        });
-        const LinearField<dim> change(cell, [&](const unsigned int k) -> auto & {
-          return node[k]->change;
-        });
+        const LinearField<dim> moving(
+          cell, [&](const unsigned int k) -> auto & {
+            return node[k]->velocity;
+          });
+        const LinearField<dim> change(
+          cell, [&](const unsigned int k) -> auto & {
+            return node[k]->change;
+          });
 
         // Points of a run do not alias: vectorised over points.
 #pragma omp simd
@@ -132,14 +135,14 @@ namespace mpm_granular::Transfer
     // then counts as this far inside (in barycentric coordinates).
     constexpr double least = 1e-10;
 
-    const auto position  = pointers(points.position);
-    const auto values    = pointers(block.shape_values);
-    unsigned int lost    = no_point;
+    const auto   position = pointers(points.position);
+    const auto   values   = pointers(block.shape_values);
+    unsigned int lost     = no_point;
 
     for (const auto &run : block.runs)
       {
-        const unsigned int host = points.cell[run.begin];
-        const auto        &cell = mesh.cell(host);
+        const unsigned int host          = points.cell[run.begin];
+        const auto        &cell          = mesh.cell(host);
         double             lowest_of_run = 1.;
 
 #pragma omp simd reduction(min : lowest_of_run)
@@ -191,16 +194,16 @@ namespace mpm_granular::Transfer
   }
 
 #define INSTANTIATE(dim)                                                      \
-  template void move_points(const Mesh::BackgroundMesh<dim> &,                \
-                            const Grid::NodalFields<dim> &,                   \
-                            const PointBlock<dim> &,                          \
-                            const double,                                     \
-                            const double,                                     \
-                            Points::PointArrays<dim> &);                      \
-  template void evaluate_gradients(const Mesh::BackgroundMesh<dim> &,         \
-                                   const Grid::NodalFields<dim> &,            \
-                                   const Points::PointArrays<dim> &,          \
-                                   PointBlock<dim> &);                        \
+  template void         move_points(const Mesh::BackgroundMesh<dim> &,        \
+                                    const Grid::NodalFields<dim> &,           \
+                                    const PointBlock<dim> &,                  \
+                                    const double,                             \
+                                    const double,                             \
+                                    Points::PointArrays<dim> &);              \
+  template void         evaluate_gradients(const Mesh::BackgroundMesh<dim> &, \
+                                           const Grid::NodalFields<dim> &,    \
+                                           const Points::PointArrays<dim> &,  \
+                                           PointBlock<dim> &);                \
   template unsigned int relocate(const Mesh::BackgroundMesh<dim> &,           \
                                  Points::PointArrays<dim> &,                  \
                                  PointBlock<dim> &);

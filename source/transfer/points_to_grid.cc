@@ -107,12 +107,12 @@ namespace mpm_granular::Transfer
       });
   }
 
-#define INSTANTIATE(dim)                                                     \
-  template void add_mass_and_momentum(const Points::PointArrays<dim> &,      \
-                                      const PointBlock<dim> &,               \
-                                      Grid::NodalFields<dim> &);             \
-  template void add_stress(const Points::PointArrays<dim> &,                 \
-                           const PointBlock<dim> &,                          \
+#define INSTANTIATE(dim)                                                \
+  template void add_mass_and_momentum(const Points::PointArrays<dim> &, \
+                                      const PointBlock<dim> &,          \
+                                      Grid::NodalFields<dim> &);        \
+  template void add_stress(const Points::PointArrays<dim> &,            \
+                           const PointBlock<dim> &,                     \
                            Grid::NodalFields<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -149,8 +149,8 @@ test()
   for (unsigned int i = 0; i < fields.n_active_nodes(); ++i)
     {
       resultant += fields.sums[i].load;
-      first_moment += mesh->node_position(fields.active_nodes[i])[0] *
-                      fields.sums[i].load[1];
+      first_moment +=
+        mesh->node_position(fields.active_nodes[i])[0] * fields.sums[i].load[1];
     }
   std::cout << "traction " << resultant << ", moment " << first_moment
             << std::endl;

@@ -1,11 +1,11 @@
 // The flat copy of the mesh: volumes, shape functions, neighbours, surface.
 
+#include "../jittered_box.h"
+
 #include <mpm_granular/mesh/point_walk.h>
 
 #include <iostream>
 #include <numeric>
-
-#include "../jittered_box.h"
 
 using namespace Test;
 
@@ -24,7 +24,8 @@ test()
       Tensor<1, dim> sum;
       for (unsigned int k = 0; k <= dim; ++k)
         {
-          const auto values = cell.shape_values(mesh.node_position(cell.node[k]));
+          const auto values =
+            cell.shape_values(mesh.node_position(cell.node[k]));
           for (unsigned int j = 0; j <= dim; ++j)
             worst_value = std::max(worst_value, std::abs(values[j] - (j == k)));
           sum += cell.shape_gradient(k);

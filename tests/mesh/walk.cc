@@ -1,11 +1,11 @@
 // Walking and searching find the same cells; what is outside is not found, what
 // is outside by round-off only is.
 
+#include "../jittered_box.h"
+
 #include <mpm_granular/mesh/point_walk.h>
 
 #include <iostream>
-
-#include "../jittered_box.h"
 
 using namespace Test;
 

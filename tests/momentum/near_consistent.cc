@@ -1,20 +1,22 @@
-// M_alpha: for alpha = 0 it is the lumped matrix; otherwise the solution fulfils
-// the equations with the matrix summed from the cells, keeps prescribed
+// M_alpha: for alpha = 0 it is the lumped matrix; otherwise the solution
+// fulfils the equations with the matrix summed from the cells, keeps prescribed
 // components, and leaves a residual (the reaction) in them only.
 
 #include <deal.II/base/parameter_handler.h>
+
+#include "../transfer/scattered_points.h"
 
 #include <mpm_granular/momentum/mass_matrix.h>
 
 #include <iostream>
 
-#include "../transfer/scattered_points.h"
-
 using namespace Test;
 
 template <int dim>
 std::unique_ptr<Momentum::MassMatrix<dim>>
-matrix(const std::string &name, const std::string &alpha, ScatteredPoints<dim> &test)
+matrix(const std::string    &name,
+       const std::string    &alpha,
+       ScatteredPoints<dim> &test)
 {
   auto             mass = Momentum::MassMatrixRegistry<dim>::make(name);
   ParameterHandler prm;
@@ -69,7 +71,7 @@ test()
   constraints.nodes = {one, all};
 
   const double alpha = .75;
-  const auto   mass  = matrix<dim>("near-consistent", std::to_string(alpha), test);
+  const auto mass = matrix<dim>("near-consistent", std::to_string(alpha), test);
   mass->solve(momentum, &constraints, velocity);
   Momentum::NodalVectors<dim> from_matrix;
   mass->multiply(velocity, from_matrix);
@@ -77,8 +79,8 @@ test()
   double scale = 0., residual = 0., of_matrix = 0.;
   for (unsigned int i = 0; i < n; ++i)
     {
-      image[i] = alpha * image[i] +
-                 (1. - alpha) * fields.sums[i].mass * velocity[i];
+      image[i] =
+        alpha * image[i] + (1. - alpha) * fields.sums[i].mass * velocity[i];
       of_matrix = std::max(of_matrix, (image[i] - from_matrix[i]).norm());
       scale     = std::max(scale, momentum[i].norm());
       Tensor<1, dim> rest = momentum[i] - image[i];

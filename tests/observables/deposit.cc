@@ -85,8 +85,8 @@ main()
   print(half, body, "x");
   print(whole, body, "-x");
 
-  // Bins of 0.5: the envelope is the four columns, each from the mesh's bottom:
-  // 0.5 (3 + 2.5 + 2 + 1.5) = 4.5.
+  // Bins of 0.5, each with two columns over the depth, from the mesh's bottom:
+  // 0.5 ((3 + 2.5)/2 + (2.5 + 2)/2 + (2 + 1.5)/2 + (1.5 + 0)/2) = 3.75.
   ParameterHandler prm;
   area.add_parameters(prm);
   prm.parse_input_from_string("set Area bin width = 0.5");

@@ -1,14 +1,14 @@
-// Points of a region: volumes add up to the region's, symmetric layouts integrate
-// linear functions exactly and, from 3 (2D) or 4 (3D) points on, those of degree
-// two as far as they claim.
+// Points of a region: volumes add up to the region's, symmetric layouts
+// integrate linear functions exactly and, from 3 (2D) or 4 (3D) points on,
+// those of degree two as far as they claim.
 
 #include <deal.II/base/parameter_handler.h>
+
+#include "../jittered_box.h"
 
 #include <mpm_granular/points/region.h>
 
 #include <iostream>
-
-#include "../jittered_box.h"
 
 using namespace Test;
 
@@ -32,7 +32,7 @@ void
 test()
 {
   const Mesh::BackgroundMesh<dim> mesh(JitteredBox<dim>(3), "");
-  const std::string ones = dim == 2 ? "1, 1" : "1, 1, 1";
+  const std::string               ones = dim == 2 ? "1, 1" : "1, 1, 1";
 
   // Integrals over the unit box: of x_0 it is 1/2.
   for (const unsigned int n : {1, 3, 4, 8, 9, 16})
@@ -48,24 +48,27 @@ test()
           first += seed.volume * seed.position[0];
           second += seed.volume * seed.position[0] * seed.position[0];
         }
-      std::cout << dim << "D, " << n << " per cell: "
-                << seeds.size() / double(mesh.n_cells()) << ", volume "
-                << volume << ", x " << first << ", x^2 exact "
+      std::cout << dim << "D, " << n
+                << " per cell: " << seeds.size() / double(mesh.n_cells())
+                << ", volume " << volume << ", x " << first << ", x^2 exact "
                 << (std::abs(second - 1. / 3.) < 1e-12) << std::endl;
     }
 
   const std::string spacing = dim == 2 ? "0.1, 0.2" : "0.1, 0.2, 0.25";
   double            volume  = 0.;
-  const auto seeds = fill(mesh, "set Layout = lattice\nset Spacing = " + spacing);
+  const auto        seeds =
+    fill(mesh, "set Layout = lattice\nset Spacing = " + spacing);
   for (const auto &seed : seeds)
     volume += seed.volume;
-  std::cout << "lattice: " << seeds.size() << ", volume " << volume << std::endl;
+  std::cout << "lattice: " << seeds.size() << ", volume " << volume
+            << std::endl;
 
   try
     {
-      fill(mesh, "set Layout = lattice\nset Upper corner = 2" +
-                   std::string(dim == 2 ? ", 1" : ", 1, 1") +
-                   "\nset Spacing = " + spacing);
+      fill(mesh,
+           "set Layout = lattice\nset Upper corner = 2" +
+             std::string(dim == 2 ? ", 1" : ", 1, 1") +
+             "\nset Spacing = " + spacing);
       std::cout << "points outside the mesh were accepted" << std::endl;
     }
   catch (const InputError &error)

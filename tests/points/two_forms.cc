@@ -1,11 +1,11 @@
-// The working set and deal.II's handler hold the same points: nothing changes on
-// the way there and back, ordering keeps every point whole, lost ones go.
+// The working set and deal.II's handler hold the same points: nothing changes
+// on the way there and back, ordering keeps every point whole, lost ones go.
+
+#include "../jittered_box.h"
 
 #include <mpm_granular/points/material_points.h>
 
 #include <iostream>
-
-#include "../jittered_box.h"
 
 using namespace Test;
 
@@ -39,7 +39,8 @@ test()
       seeds.push_back({x, mesh.locate(x), .002});
     }
   points.insert(seeds, 1, 1500.);
-  std::cout << dim << "D: in the handler " << points.handler().n_global_particles();
+  std::cout << dim << "D: in the handler "
+            << points.handler().n_global_particles();
   points.load();
   auto &arrays = points.arrays();
   std::cout << ", loaded " << arrays.size() << ", left in the handler "
@@ -67,17 +68,20 @@ test()
   unsigned int n_changed = 0;
   for (unsigned int p = 0; p < arrays.size(); ++p)
     n_changed += before[arrays.id[p]] != fingerprint(arrays, p);
-  std::cout << "in order " << std::is_sorted(arrays.cell.begin(), arrays.cell.end())
+  std::cout << "in order "
+            << std::is_sorted(arrays.cell.begin(), arrays.cell.end())
             << ", changed on the way: " << n_changed << std::endl;
 
   // Out of order, and two lost.
   for (unsigned int p = 0; p + 100 < arrays.size(); p += 7)
-    arrays.for_each_array([&](auto &array) { std::swap(array[p], array[p + 100]); });
+    arrays.for_each_array(
+      [&](auto &array) { std::swap(array[p], array[p + 100]); });
   points.order();
   n_changed = 0;
   for (unsigned int p = 0; p < arrays.size(); ++p)
     n_changed += before[arrays.id[p]] != fingerprint(arrays, p);
-  std::cout << "ordered " << std::is_sorted(arrays.cell.begin(), arrays.cell.end())
+  std::cout << "ordered "
+            << std::is_sorted(arrays.cell.begin(), arrays.cell.end())
             << ", changed: " << n_changed << std::endl;
   arrays.cell[10] = arrays.cell[20] = Mesh::no_cell;
   std::cout << "removed " << points.remove_lost() << ", left " << arrays.size()

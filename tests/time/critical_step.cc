@@ -2,9 +2,9 @@
 // triangle omega^2 = (6/h^2) 2 (K + G/3)/rho, regular tetrahedron omega^2 =
 // (8/h^2) 3K/rho, h the edge; and it is proportional to h.
 
-#include <mpm_granular/time/critical_step.h>
-
 #include <deal.II/base/point.h>
+
+#include <mpm_granular/time/critical_step.h>
 
 #include <cmath>
 #include <iostream>
@@ -33,14 +33,16 @@ int
 main()
 {
   const double bulk = 1e6 / 1.2, shear = 1e6 / 2.6, density = 1500.;
-  const double c_p = std::sqrt((bulk + 4. / 3. * shear) / density);
+  const double c_p    = std::sqrt((bulk + 4. / 3. * shear) / density);
   const double root_3 = std::sqrt(3.);
 
   const std::vector<Point<2>> triangle{{0., 0.}, {1., 0.}, {.5, root_3 / 2.}};
   const std::vector<Point<3>> tetrahedron{{0., 0., 0.},
                                           {1., 0., 0.},
                                           {.5, root_3 / 2., 0.},
-                                          {.5, root_3 / 6., std::sqrt(2. / 3.)}};
+                                          {.5,
+                                           root_3 / 6.,
+                                           std::sqrt(2. / 3.)}};
   for (const double h : {1., .05})
     {
       const double omega_2d =
@@ -60,17 +62,16 @@ main()
 
   // dt c_p/h of the right triangle, and the corner of a cube.
   std::cout.precision(3);
-  std::cout << "right triangle "
-            << Time::critical_step(simplex<2>({{0., 0.}, {1., 0.}, {0., 1.}}, 1.),
-                                   {bulk, shear, density}) *
-                 c_p
-            << ", corner "
-            << Time::critical_step(simplex<3>({{0., 0., 0.},
-                                               {1., 0., 0.},
-                                               {0., 1., 0.},
-                                               {0., 0., 1.}},
-                                              1.),
-                                   {bulk, shear, density}) *
-                 c_p
-            << std::endl;
+  std::cout
+    << "right triangle "
+    << Time::critical_step(simplex<2>({{0., 0.}, {1., 0.}, {0., 1.}}, 1.),
+                           {bulk, shear, density}) *
+         c_p
+    << ", corner "
+    << Time::critical_step(
+         simplex<3>({{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}},
+                    1.),
+         {bulk, shear, density}) *
+         c_p
+    << std::endl;
 }

@@ -45,7 +45,8 @@ main()
   const double far = 1e9;
   {
     Time::StepControl control(parameters("set CFL = 0.25"));
-    std::cout << "part of the limit " << control.next_step({8., 1., 0.}, 0., far)
+    std::cout << "part of the limit "
+              << control.next_step({8., 1., 0.}, 0., far)
               << ", of a growing limit "
               << control.next_step({80., 1., 0.}, 2., far) << " "
               << control.next_step({80., 1., 0.}, 4., far)
@@ -58,10 +59,12 @@ main()
     unsigned int      n    = 0;
     for (; time < 1.; ++n)
       time += control.next_step({.3, 1., 0.}, time, 1.);
-    std::cout << "landed after " << n << " steps: " << (time == 1.) << std::endl;
+    std::cout << "landed after " << n << " steps: " << (time == 1.)
+              << std::endl;
   }
   {
-    Time::StepControl control(parameters("set Type = fixed\nset Fixed step = 0.1"));
+    Time::StepControl control(
+      parameters("set Type = fixed\nset Fixed step = 0.1"));
     control.check_stability(.2);
     std::cout << "fixed " << control.next_step({.2, 1., 100.}, 0., far)
               << std::endl;

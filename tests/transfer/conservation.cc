@@ -1,10 +1,10 @@
-// Points to grid keeps mass and linear and angular momentum; internal forces add
-// up to no force and no moment; masses are the row sums of the sampled mass
+// Points to grid keeps mass and linear and angular momentum; internal forces
+// add up to no force and no moment; masses are the row sums of the sampled mass
 // matrix.
 
-#include <iostream>
-
 #include "scattered_points.h"
+
+#include <iostream>
 
 using namespace Test;
 
@@ -45,11 +45,11 @@ test()
       momentum += mv;
       angular += moment<dim>(points.location(p), mv);
     }
-  const double         scale_mass = mass, scale = momentum.norm();
-  double               largest_force = 0.;
-  Tensor<1, dim>       force;
-  decltype(angular)    torque;
-  const auto          &fields = test.fields;
+  const double      scale_mass = mass, scale = momentum.norm();
+  double            largest_force = 0.;
+  Tensor<1, dim>    force;
+  decltype(angular) torque;
+  const auto       &fields = test.fields;
   for (unsigned int i = 0; i < fields.n_active_nodes(); ++i)
     {
       const auto &node = fields.sums[i];

@@ -2,9 +2,9 @@
 // changes their velocities exactly and has its constant gradient in every cell;
 // the points end in the cells that hold them.
 
-#include <iostream>
-
 #include "scattered_points.h"
+
+#include <iostream>
 
 using namespace Test;
 
@@ -12,7 +12,8 @@ template <int dim>
 void
 test()
 {
-  ScatteredPoints<dim> test([](const Point<dim> &) { return Tensor<1, dim>(); });
+  ScatteredPoints<dim> test(
+    [](const Point<dim> &) { return Tensor<1, dim>(); });
   test.project();
 
   Tensor<2, dim> gradient;
@@ -27,14 +28,13 @@ test()
   for (unsigned int i = 0; i < fields.n_active_nodes(); ++i)
     {
       const Tensor<1, dim> v =
-        constant +
-        gradient * test.mesh.node_position(fields.active_nodes[i]);
+        constant + gradient * test.mesh.node_position(fields.active_nodes[i]);
       fields.motion[i] = {v, 2. * v, 3. * v};
     }
 
   // Far enough that most points leave their cells.
   const double time_step = .15, pic_factor = .25;
-  auto        &points    = test.points.arrays();
+  auto        &points      = test.points.arrays();
   double       worst_place = 0., worst_velocity = 0., worst_gradient = 0.;
   unsigned int n_moved = 0, n_wrong_cells = 0, n_lost = 0;
   for (unsigned int p = 0; p < points.size(); ++p)
@@ -48,33 +48,33 @@ test()
     auto &block = test.block;
     Transfer::evaluate_gradients(test.mesh, fields, points, block);
     for (unsigned int r = 0; r < block.runs.size(); ++r)
-      worst_gradient = std::max(worst_gradient,
-                                (block.gradients[r] - 3. * gradient).norm());
+      worst_gradient =
+        std::max(worst_gradient, (block.gradients[r] - 3. * gradient).norm());
     Transfer::move_points(
       test.mesh, fields, block, time_step, pic_factor, points);
-    n_lost += Transfer::relocate(test.mesh, points, block) != Transfer::no_point;
+    n_lost +=
+      Transfer::relocate(test.mesh, points, block) != Transfer::no_point;
     for (unsigned int p = block.begin; p < block.end; ++p)
       {
         const auto values =
           test.mesh.cell(points.cell[p]).shape_values(points.location(p));
         for (unsigned int k = 0; k <= dim; ++k)
-          n_wrong_cells += values[k] < -1e-9 ||
-                           std::abs(values[k] -
-                                    block.shape_values[k][p - block.begin]) >
-                             1e-8;
+          n_wrong_cells +=
+            values[k] < -1e-9 ||
+            std::abs(values[k] - block.shape_values[k][p - block.begin]) > 1e-8;
       }
   });
   for (unsigned int p = 0; p < points.size(); ++p)
     {
-      const Tensor<1, dim> v = constant + gradient * old_places[p];
+      const Tensor<1, dim> v        = constant + gradient * old_places[p];
       Tensor<1, dim>       velocity = 2. * v;
       velocity[0] += .75;
       for (unsigned int d = 0; d < dim; ++d)
         velocity[d] -= points.velocity[d][p];
       worst_velocity = std::max(worst_velocity, velocity.norm());
-      worst_place    = std::max(
-        worst_place,
-        (points.location(p) - old_places[p] - time_step * v).norm());
+      worst_place =
+        std::max(worst_place,
+                 (points.location(p) - old_places[p] - time_step * v).norm());
       n_moved += points.cell[p] != old_cells[p];
     }
   std::cout << dim << "D: places exact " << (worst_place < 1e-13)

@@ -1,14 +1,14 @@
 #ifndef tests_transfer_scattered_points_h
 #define tests_transfer_scattered_points_h
 
+#include "../jittered_box.h"
+
 #include <mpm_granular/grid/nodal_fields.h>
 #include <mpm_granular/points/material_points.h>
 #include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/points_to_grid.h>
 
 #include <functional>
-
-#include "../jittered_box.h"
 
 namespace Test
 {

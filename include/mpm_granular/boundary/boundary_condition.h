@@ -1,11 +1,11 @@
 #ifndef mpm_granular_boundary_boundary_condition_h
 #define mpm_granular_boundary_boundary_condition_h
 
-#include <mpm_granular/core/registry.h>
-#include <mpm_granular/parameters/parameter_group.h>
-
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
+
+#include <mpm_granular/core/registry.h>
+#include <mpm_granular/parameters/parameter_group.h>
 
 #include <vector>
 

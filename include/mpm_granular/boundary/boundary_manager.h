@@ -17,7 +17,7 @@ namespace mpm_granular::Boundary
   {
     BoundarySetting();
 
-    std::vector<std::string>                    boundaries;
+    std::vector<std::string>                   boundaries;
     Parameters::Choice<BoundaryCondition<dim>> condition;
 
     void
@@ -46,7 +46,8 @@ namespace mpm_granular::Boundary
     BoundaryManager(const BoundarySettings<dim>     &settings,
                     const Mesh::BackgroundMesh<dim> &mesh);
 
-    /// Finds the constraints of the nodes that are active now, with their values
+    /// Finds the constraints of the nodes that are active now, with their
+    /// values
     /// for the step from @p time to @p time + @p time_step.
     void
     update(const Grid::NodalFields<dim> &fields,
@@ -81,8 +82,8 @@ namespace mpm_granular::Boundary
 
     struct LoadedFace
     {
-      const BoundaryCondition<dim>  *condition;
-      Mesh::BoundaryFace<dim>        face;
+      const BoundaryCondition<dim> *condition;
+      Mesh::BoundaryFace<dim>       face;
     };
 
     void

@@ -30,7 +30,7 @@ namespace mpm_granular::Boundary
     traction(const dealii::Point<dim> &place, const double time) const override;
 
   private:
-    std::string                                  text = dim == 2 ? "0; 0" : "0; 0; 0";
+    std::string text = dim == 2 ? "0; 0" : "0; 0; 0";
     mutable std::optional<Core::Expression<dim>> expression;
   };
 } // namespace mpm_granular::Boundary

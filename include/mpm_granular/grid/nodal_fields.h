@@ -1,10 +1,10 @@
 #ifndef mpm_granular_grid_nodal_fields_h
 #define mpm_granular_grid_nodal_fields_h
 
+#include <deal.II/base/tensor.h>
+
 #include <mpm_granular/grid/cell_sums.h>
 #include <mpm_granular/mesh/background_mesh.h>
-
-#include <deal.II/base/tensor.h>
 
 #include <vector>
 
@@ -14,10 +14,10 @@ namespace mpm_granular::Grid
   template <int dim>
   struct NodeSums
   {
-    double                 mass     = 0.; ///< [kg]
-    dealii::Tensor<1, dim> momentum;      ///< [kg m/s]
-    dealii::Tensor<1, dim> force;         ///< internal force [N]
-    dealii::Tensor<1, dim> load;          ///< tractions on the mesh boundary [N]
+    double                 mass = 0.; ///< [kg]
+    dealii::Tensor<1, dim> momentum;  ///< [kg m/s]
+    dealii::Tensor<1, dim> force;     ///< internal force [N]
+    dealii::Tensor<1, dim> load;      ///< tractions on the mesh boundary [N]
   };
 
   /// What the points receive from a node, side by side because it is read
@@ -81,13 +81,13 @@ namespace mpm_granular::Grid
         sums.stress = {};
     }
 
-    /// Makes the nodes of the active cells the active nodes and sums their mass,
-    /// momentum and internal force from the cells (T9).
+    /// Makes the nodes of the active cells the active nodes and sums their
+    /// mass, momentum and internal force from the cells (T9).
     void
     gather_nodes();
 
-    /// Sets the internal forces of the nodes from the stresses of the cells: for
-    /// stresses that are known only after the masses.
+    /// Sets the internal forces of the nodes from the stresses of the cells:
+    /// for stresses that are known only after the masses.
     void
     gather_forces();
 

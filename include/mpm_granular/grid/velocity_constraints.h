@@ -33,9 +33,9 @@ namespace mpm_granular::Grid
     {
       for (const auto &node : nodes)
         for (unsigned int k = 0; k < node.n_directions; ++k)
-          velocity[node.slot] += (node.target[k] -
-                                  node.direction[k] * velocity[node.slot]) *
-                                 node.direction[k];
+          velocity[node.slot] +=
+            (node.target[k] - node.direction[k] * velocity[node.slot]) *
+            node.direction[k];
     }
 
     /// Removes the constrained components: the projection on admissible

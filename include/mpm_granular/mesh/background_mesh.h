@@ -1,14 +1,14 @@
 #ifndef mpm_granular_mesh_background_mesh_h
 #define mpm_granular_mesh_background_mesh_h
 
-#include <mpm_granular/mesh/mesh_source.h>
-#include <mpm_granular/mesh/simplex_cell.h>
-
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/grid/tria.h>
+
+#include <mpm_granular/mesh/mesh_source.h>
+#include <mpm_granular/mesh/simplex_cell.h>
 
 #include <map>
 #include <memory>
@@ -21,11 +21,11 @@ namespace mpm_granular::Mesh
   template <int dim>
   struct BoundaryFace
   {
-    dealii::types::boundary_id     boundary;
-    unsigned int                   cell;
-    std::array<unsigned int, dim>  node;   ///< DoF indices
-    dealii::Tensor<1, dim>         normal; ///< unit, outward
-    double                         area;   ///< [m^2], in 2D [m]
+    dealii::types::boundary_id    boundary;
+    unsigned int                  cell;
+    std::array<unsigned int, dim> node;   ///< DoF indices
+    dealii::Tensor<1, dim>        normal; ///< unit, outward
+    double                        area;   ///< [m^2], in 2D [m]
   };
 
   /**
@@ -33,8 +33,8 @@ namespace mpm_granular::Mesh
    * space, and a flat copy of what the time step reads of each cell.
    *
    * Cells and nodes are numbered along a space-filling curve, so that what is
-   * near in space is near in memory. "Cell" as an unsigned int always means this
-   * flat index.
+   * near in space is near in memory. "Cell" as an unsigned int always means
+   * this flat index.
    */
   template <int dim>
   class BackgroundMesh
@@ -51,7 +51,8 @@ namespace mpm_granular::Mesh
      * @throws InputError if @p source cannot be read or the mesh is not valid
      *   (inverted cells, gaps).
      */
-    BackgroundMesh(const MeshSource<dim> &source, const std::string &input_file);
+    BackgroundMesh(const MeshSource<dim> &source,
+                   const std::string     &input_file);
 
     const dealii::Triangulation<dim> &
     triangulation() const
@@ -172,18 +173,18 @@ namespace mpm_granular::Mesh
     void
     check() const;
 
-    dealii::Triangulation<dim>        tria;
-    dealii::FE_SimplexP<dim>          fe;
-    dealii::MappingFE<dim>            map;
-    dealii::DoFHandler<dim>           dofs;
-    MeshNames                         names;
-    std::vector<SimplexCell<dim>>     cells;
-    std::vector<double>               volumes;
-    std::vector<CellIterator>         iterators;
-    std::vector<unsigned int>         flat_indices;
-    std::vector<dealii::Point<dim>>   node_positions;
-    std::vector<BoundaryFace<dim>>    faces;
-    dealii::BoundingBox<dim>          box;
+    dealii::Triangulation<dim>      tria;
+    dealii::FE_SimplexP<dim>        fe;
+    dealii::MappingFE<dim>          map;
+    dealii::DoFHandler<dim>         dofs;
+    MeshNames                       names;
+    std::vector<SimplexCell<dim>>   cells;
+    std::vector<double>             volumes;
+    std::vector<CellIterator>       iterators;
+    std::vector<unsigned int>       flat_indices;
+    std::vector<dealii::Point<dim>> node_positions;
+    std::vector<BoundaryFace<dim>>  faces;
+    dealii::BoundingBox<dim>        box;
 
     struct Locator;
     mutable std::shared_ptr<Locator> locator;

@@ -1,9 +1,9 @@
 #ifndef mpm_granular_mesh_box_h
 #define mpm_granular_mesh_box_h
 
-#include <mpm_granular/mesh/mesh_source.h>
-
 #include <deal.II/base/point.h>
+
+#include <mpm_granular/mesh/mesh_source.h>
 
 #include <vector>
 

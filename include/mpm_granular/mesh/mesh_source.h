@@ -1,11 +1,11 @@
 #ifndef mpm_granular_mesh_mesh_source_h
 #define mpm_granular_mesh_mesh_source_h
 
-#include <mpm_granular/core/registry.h>
-#include <mpm_granular/parameters/parameter_group.h>
-
 #include <deal.II/base/types.h>
 #include <deal.II/grid/tria.h>
+
+#include <mpm_granular/core/registry.h>
+#include <mpm_granular/parameters/parameter_group.h>
 
 #include <map>
 #include <string>
@@ -20,8 +20,8 @@ namespace mpm_granular::Mesh
   };
 
   /**
-   * The number of a boundary or set of cells given by its name, or by the number
-   * itself as text.
+   * The number of a boundary or set of cells given by its name, or by the
+   * number itself as text.
    *
    * @param kind what the names stand for, for the message.
    * @throws InputError that lists the valid names.

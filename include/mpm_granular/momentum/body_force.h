@@ -1,10 +1,10 @@
 #ifndef mpm_granular_momentum_body_force_h
 #define mpm_granular_momentum_body_force_h
 
+#include <deal.II/base/tensor.h>
+
 #include <mpm_granular/core/expression.h>
 #include <mpm_granular/parameters/parameter_group.h>
-
-#include <deal.II/base/tensor.h>
 
 #include <optional>
 #include <string>

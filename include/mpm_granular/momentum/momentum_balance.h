@@ -30,8 +30,8 @@ namespace mpm_granular::Momentum
     double total    = 0; ///< by all impulses, at the mean nodal velocity
     double boundary = 0; ///< the part of constraints and tractions
 
-    /// Stress power of the new velocity minus that of the straining velocity:
-    /// what re-mapping takes.
+    /// What re-mapping takes: work of the internal forces at the mean of old
+    /// and new velocity, less that at the mean of old and straining velocity.
     double straining_loss = 0;
   };
 
@@ -47,8 +47,8 @@ namespace mpm_granular::Momentum
 
   /**
    * The momentum balance on the active nodes: old velocity from the points'
-   * momentum, new velocity from the forces (T12), what the points take from them
-   * (T14), and the re-mapped velocity of MUSL (T16).
+   * momentum, new velocity from the forces (T12), what the points take from
+   * them (T14), and the re-mapped velocity of MUSL (T16).
    */
   template <int dim>
   class MomentumBalance
@@ -79,7 +79,8 @@ namespace mpm_granular::Momentum
 
     /// Work of the step, after all velocities are known.
     GridWork
-    work(const Grid::NodalFields<dim> &fields, const StepInput<dim> &step) const;
+    work(const Grid::NodalFields<dim> &fields,
+         const StepInput<dim>         &step) const;
 
   private:
     /// All forces on a node but the reactions of constraints.

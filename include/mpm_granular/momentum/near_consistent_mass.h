@@ -1,10 +1,10 @@
 #ifndef mpm_granular_momentum_near_consistent_mass_h
 #define mpm_granular_momentum_near_consistent_mass_h
 
-#include <mpm_granular/momentum/mass_matrix.h>
-
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <mpm_granular/momentum/mass_matrix.h>
 
 namespace mpm_granular::Momentum
 {
@@ -45,8 +45,8 @@ namespace mpm_granular::Momentum
     time_step_factor() const override;
 
   private:
-    double                                alpha     = 0.5;
-    double                                tolerance = 1e-12;
+    double                                 alpha     = 0.5;
+    double                                 tolerance = 1e-12;
     dealii::TrilinosWrappers::SparseMatrix matrix;
     const Grid::NodalFields<dim>          *fields = nullptr;
   };

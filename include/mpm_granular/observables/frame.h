@@ -33,8 +33,8 @@ namespace mpm_granular::Observables
     double                 floor; ///< lowest coordinate of the mesh upwards [m]
 
     dealii::Tensor<1, dim> across; ///< unit vector along the depth; in 2D zero
-    double left;  ///< lowest coordinate of the mesh across [m]
-    double right; ///< highest coordinate of the mesh across [m]
+    double                 left;   ///< lowest coordinate of the mesh across [m]
+    double                 right; ///< highest coordinate of the mesh across [m]
 
     /// Height of @p x above the lowest point of the mesh [m].
     double

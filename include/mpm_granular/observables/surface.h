@@ -33,9 +33,9 @@ namespace mpm_granular::Observables
   /**
    * The height of a column is that of its highest point, plus half the spacing
    * of points there, V^(1/dim)/2, because a point is in the middle of its
-   * volume. In 3D the height of a bin is the mean over the depth of columns that
-   * are as deep as the bin is wide, so that the area is the volume below the
-   * surface over the depth of the mesh.
+   * volume. In 3D the height of a bin is the mean over the depth of columns
+   * that are as deep as the bin is wide, so that the area is the volume below
+   * the surface over the depth of the mesh.
    *
    * @param points the points.
    * @param frame where along, up and across are.

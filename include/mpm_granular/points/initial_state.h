@@ -1,14 +1,14 @@
 #ifndef mpm_granular_points_initial_state_h
 #define mpm_granular_points_initial_state_h
 
+#include <deal.II/base/point.h>
+
 #include <mpm_granular/core/expression.h>
 #include <mpm_granular/core/registry.h>
 #include <mpm_granular/core/stress_layout.h>
 #include <mpm_granular/parameters/choice.h>
 #include <mpm_granular/parameters/parameter_group.h>
 #include <mpm_granular/points/point_arrays.h>
-
-#include <deal.II/base/point.h>
 
 #include <optional>
 #include <string>
@@ -55,8 +55,8 @@ namespace mpm_granular::Points
           const dealii::Tensor<1, dim> &gravity) const;
 
   private:
-    std::string                            velocity = dim == 2 ? "0; 0" : "0; 0; 0";
-    Parameters::Choice<InitialStress<dim>> stress;
+    std::string velocity = dim == 2 ? "0; 0" : "0; 0; 0";
+    Parameters::Choice<InitialStress<dim>>       stress;
     mutable std::optional<Core::Expression<dim>> velocity_expression;
   };
 } // namespace mpm_granular::Points

@@ -6,8 +6,8 @@
 namespace mpm_granular::Points
 {
   /**
-   * Points on a regular lattice that starts half a spacing inside the lower corner
-   * of the box around the shape, each with the volume of a lattice cell.
+   * Points on a regular lattice that starts half a spacing inside the lower
+   * corner of the box around the shape, each with the volume of a lattice cell.
    */
   template <int dim>
   class Lattice : public PointLayout<dim>

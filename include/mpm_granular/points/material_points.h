@@ -1,11 +1,11 @@
 #ifndef mpm_granular_points_material_points_h
 #define mpm_granular_points_material_points_h
 
+#include <deal.II/particles/particle_handler.h>
+
 #include <mpm_granular/mesh/background_mesh.h>
 #include <mpm_granular/points/point_arrays.h>
 #include <mpm_granular/points/point_layout.h>
-
-#include <deal.II/particles/particle_handler.h>
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 #ifndef mpm_granular_points_point_arrays_h
 #define mpm_granular_points_point_arrays_h
 
-#include <mpm_granular/core/stress_layout.h>
-
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
+
+#include <mpm_granular/core/stress_layout.h>
 
 #include <array>
 #include <cstddef>
@@ -36,12 +36,13 @@ namespace mpm_granular::Points
   {
     using Array = std::vector<double>;
 
-    std::array<Array, dim>           position; ///< [m]
-    std::array<Array, dim>           velocity; ///< [m/s]
-    std::array<Array, n_stress<dim>> stress;   ///< Cauchy stress, tension > 0 [Pa]
-    Array                            mass;     ///< [kg], in 2D [kg/m]
-    Array                            volume;   ///< current volume [m^3], in 2D [m^2]
-    std::vector<Array>               history;  ///< slots of the constitutive laws
+    std::array<Array, dim> position; ///< [m]
+    std::array<Array, dim> velocity; ///< [m/s]
+    std::array<Array, n_stress<dim>>
+                       stress;  ///< Cauchy stress, tension > 0 [Pa]
+    Array              mass;    ///< [kg], in 2D [kg/m]
+    Array              volume;  ///< current volume [m^3], in 2D [m^2]
+    std::vector<Array> history; ///< slots of the constitutive laws
 
     std::vector<unsigned int>  cell;     ///< flat index of the host cell
     std::vector<std::uint32_t> id;       ///< never changes

@@ -44,7 +44,7 @@ namespace mpm_granular::Points
     }
 
   private:
-    std::string                         material;
+    std::string                          material;
     Parameters::Choice<RegionShape<dim>> shape;
     Parameters::Choice<PointLayout<dim>> layout;
   };

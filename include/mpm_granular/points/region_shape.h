@@ -1,11 +1,11 @@
 #ifndef mpm_granular_points_region_shape_h
 #define mpm_granular_points_region_shape_h
 
+#include <deal.II/base/point.h>
+
 #include <mpm_granular/core/registry.h>
 #include <mpm_granular/mesh/background_mesh.h>
 #include <mpm_granular/parameters/parameter_group.h>
-
-#include <deal.II/base/point.h>
 
 #include <string>
 #include <vector>
@@ -48,7 +48,8 @@ namespace mpm_granular::Points
     check() const override;
 
     bool
-    contains(const dealii::Point<dim> &x, const unsigned int cell) const override;
+    contains(const dealii::Point<dim> &x,
+             const unsigned int        cell) const override;
 
     dealii::BoundingBox<dim>
     bounding_box(const Mesh::BackgroundMesh<dim> &mesh) const override;
@@ -73,7 +74,8 @@ namespace mpm_granular::Points
     attach(const Mesh::BackgroundMesh<dim> &mesh) override;
 
     bool
-    contains(const dealii::Point<dim> &x, const unsigned int cell) const override;
+    contains(const dealii::Point<dim> &x,
+             const unsigned int        cell) const override;
 
     dealii::BoundingBox<dim>
     bounding_box(const Mesh::BackgroundMesh<dim> &mesh) const override;

@@ -13,8 +13,8 @@ namespace mpm_granular::Solver
 {
   /**
    * The material point method: a mesh, points on it, and the time step that
-   * advances them (section 2 of doc/theory.md). It computes; what is written and
-   * when is up to Run.
+   * advances them (section 2 of doc/theory.md). It computes; what is written
+   * and when is up to Run.
    */
   template <int dim>
   class MPMSolver
@@ -146,10 +146,10 @@ namespace mpm_granular::Solver
     std::vector<std::string>  remarks;
     Points::Motion            motion;
     Observables::EnergyLedger ledger;
-    double                    current_time   = 0.;
-    double                    last_time_step = 0.;
-    unsigned int              n_steps        = 0;
-    std::size_t               n_lost         = 0;
+    double                    current_time    = 0.;
+    double                    last_time_step  = 0.;
+    unsigned int              n_steps         = 0;
+    std::size_t               n_lost          = 0;
     std::size_t               n_runs_in_order = 0;
   };
 } // namespace mpm_granular::Solver

@@ -41,8 +41,8 @@ namespace mpm_granular::Solver
     preflight() const;
 
     /**
-     * Says the pre-flight report and, unless only that is wanted, computes until
-     * the end time or a signal and writes all output.
+     * Says the pre-flight report and, unless only that is wanted, computes
+     * until the end time or a signal and writes all output.
      *
      * @throws InputError if the output folder cannot be used.
      * @throws ComputationError if the computation fails, after a last output.

@@ -39,7 +39,7 @@ namespace mpm_granular::Solver
   {
     RunParameters();
 
-    double end_time = 1.; ///< [s]
+    double end_time           = 1.; ///< [s]
     bool   remove_lost_points = false;
 
     Parameters::Choice<Mesh::MeshSource<dim>>    mesh;

@@ -15,17 +15,17 @@ namespace mpm_granular::Solver
   /// What a sweep over the points found.
   struct SweepResult
   {
-    Points::Motion motion;                         ///< after the step
-    double         dissipated = 0.;                ///< by the laws [J]
+    Points::Motion motion;                          ///< after the step
+    double         dissipated = 0.;                 ///< by the laws [J]
     unsigned int   lost_point = Transfer::no_point; ///< the first, or no_point
     std::size_t    n_runs     = 0; ///< of points in the same cell
   };
 
   /**
-   * The one pass over the points of a time step. It goes block by block, so that
-   * the points of a block stay in the first-level cache from reading them once
-   * to writing them once, while grid to points, law, walk and points to grid
-   * each do their part.
+   * The one pass over the points of a time step. It goes block by block, so
+   * that the points of a block stay in the first-level cache from reading them
+   * once to writing them once, while grid to points, law, walk and points to
+   * grid each do their part.
    */
   template <int dim>
   class Sweep
@@ -56,8 +56,8 @@ namespace mpm_granular::Solver
            Grid::NodalFields<dim>   &fields,
            const double              time_step);
 
-    /// Moves the points with the grid's velocities and sums mass and momentum to
-    /// their new cells: the second pass of USF.
+    /// Moves the points with the grid's velocities and sums mass and momentum
+    /// to their new cells: the second pass of USF.
     SweepResult
     move(Points::PointArrays<dim> &points,
          Grid::NodalFields<dim>   &fields,

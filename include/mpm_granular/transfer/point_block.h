@@ -1,10 +1,10 @@
 #ifndef mpm_granular_transfer_point_block_h
 #define mpm_granular_transfer_point_block_h
 
-#include <mpm_granular/points/point_arrays.h>
-
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/tensor.h>
+
+#include <mpm_granular/points/point_arrays.h>
 
 #include <array>
 #include <vector>
@@ -22,8 +22,8 @@ namespace mpm_granular::Transfer
     /// Points per block; a run that begins within it is taken whole.
     static constexpr unsigned int target_size = 192;
 
-    std::vector<Points::Run>               runs; ///< one cell and material each
-    std::vector<dealii::Tensor<2, dim>>    gradients; ///< of velocity, per run
+    std::vector<Points::Run>            runs; ///< one cell and material each
+    std::vector<dealii::Tensor<2, dim>> gradients; ///< of velocity, per run
 
     /// Shape values of the points at their new places, by node and place in the
     /// block.
