@@ -22,7 +22,7 @@ Usage: ./quickstart.sh run | test
   test   the same set-up, then build Release and Debug and run every test
 
 Packages are installed by apt, as root or through sudo, and only if some are
-missing. Tried on Debian 12 and Debian 13; Ubuntu and others are untried.
+missing. Tried on Debian 12; on Debian 13 only in part; Ubuntu and others are untried.
 END
 }
 
