@@ -1,16 +1,16 @@
-// Points from a file: CSV and HDF5 give the same ones; what is wrong in a file is
-// named with its line or point.
+// Points from a file: CSV and HDF5 give the same ones; what is wrong in a file
+// is named with its line or point.
 
 #include <deal.II/base/hdf5.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include "../jittered_box.h"
+
 #include <mpm_granular/points/point_file.h>
 
 #include <fstream>
 #include <iostream>
-
-#include "../jittered_box.h"
 
 using namespace Test;
 
