@@ -18,9 +18,10 @@ if(MPM_WERROR)
 endif()
 
 if(CMAKE_BUILD_TYPE STREQUAL Release)
-  # Only what keeps IEEE results: no re-association, NaN stays NaN.
+  # Only what keeps IEEE results: no re-association, NaN stays NaN. -g1: line
+  # numbers for backtraces and profilers; deal.II's -g takes longer to compile.
   target_compile_options(mpm_granular_flags INTERFACE
-    -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd)
+    -O3 -g1 -fno-math-errno -fno-trapping-math -fopenmp-simd)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # deal.II compiles with -fPIC; without this, g++ may not inline a function
     # that another library could replace.
