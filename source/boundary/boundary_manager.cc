@@ -109,14 +109,22 @@ namespace mpm_granular::Boundary
                 if (entry_of_node[node] == none)
                   {
                     entry_of_node[node] = nodes.size();
-                    nodes.push_back({node, {}});
+                    nodes.emplace_back();
+                    nodes.back().node = node;
                   }
-                auto &directions    = nodes[entry_of_node[node]].directions;
-                Tensor<1, dim> rest = given;
-                for (const auto &before : directions)
-                  rest -= (rest * before.orthonormal) * before.orthonormal;
+                Node          &entry      = nodes[entry_of_node[node]];
+                auto          &constraint = entry.constraint;
+                Tensor<1, dim> rest       = given;
+                for (unsigned int k = 0; k < constraint.n_directions; ++k)
+                  rest -=
+                    (rest * constraint.direction[k]) * constraint.direction[k];
                 if (rest.norm() > independent)
-                  directions.push_back({&condition, given, rest / rest.norm()});
+                  {
+                    constraint.direction[constraint.n_directions++] =
+                      rest / rest.norm();
+                    entry.directions.push_back({&condition, given});
+                    entry.moves = entry.moves || !condition.is_at_rest();
+                  }
               }
       }
 
@@ -148,28 +156,36 @@ namespace mpm_granular::Boundary
         const unsigned int entry = entry_of_node[fields.active_nodes[slot]];
         if (entry == none)
           continue;
-        const Node               &node = nodes[entry];
-        Grid::NodeConstraint<dim> constraint;
-        constraint.slot         = slot;
-        constraint.n_directions = node.directions.size();
-        for (unsigned int k = 0; k < node.directions.size(); ++k)
-          {
-            const Direction     &direction = node.directions[k];
-            const Tensor<1, dim> velocity =
-              direction.condition->velocity(mesh.node_position(node.node),
-                                            time,
-                                            time_step);
-            // The given direction is the sum of its components along the
-            // orthonormal ones; so is the velocity along it.
-            double target = velocity * direction.given;
-            for (unsigned int j = 0; j < k; ++j)
-              target -= (direction.given * constraint.direction[j]) *
-                        constraint.target[j];
-            constraint.direction[k] = direction.orthonormal;
-            constraint.target[k] =
-              target / (direction.given * direction.orthonormal);
-          }
-        active.nodes.push_back(constraint);
+        Node &node = nodes[entry];
+        if (node.moves)
+          set_targets(node, time, time_step);
+        active.nodes.push_back(node.constraint);
+        active.nodes.back().slot = slot;
+      }
+  }
+
+  template <int dim>
+  void
+  BoundaryManager<dim>::set_targets(Node        &node,
+                                    const double time,
+                                    const double time_step) const
+  {
+    auto &constraint = node.constraint;
+    for (unsigned int k = 0; k < node.directions.size(); ++k)
+      {
+        const Direction     &direction = node.directions[k];
+        const Tensor<1, dim> velocity =
+          direction.condition->velocity(mesh.node_position(node.node),
+                                        time,
+                                        time_step);
+        // The given direction is the sum of its components along the
+        // orthonormal ones; so is the velocity along it.
+        double target = velocity * direction.given;
+        for (unsigned int j = 0; j < k; ++j)
+          target -=
+            (direction.given * constraint.direction[j]) * constraint.target[j];
+        constraint.target[k] =
+          target / (direction.given * constraint.direction[k]);
       }
   }
 

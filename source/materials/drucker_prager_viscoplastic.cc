@@ -204,6 +204,39 @@ namespace mpm_granular::Materials
 
 
   template <int dim>
+  double
+  DruckerPragerViscoplastic<dim>::relax_pressure(
+    Points::PointArrays<dim>  &points,
+    const Points::Run          run,
+    const std::vector<double> &target,
+    const double               fraction) const
+  {
+    double             released_energy = 0.;
+    StressColumns<dim> stress(points, 0);
+    for (unsigned int i = run.begin; i < run.end; ++i)
+      {
+        const Stress<dim> old          = stress.load(i);
+        const double      old_pressure = pressure(old);
+        if (old_pressure <= 0.)
+          continue;
+        const double new_pressure =
+          old_pressure + fraction * (target[i - run.begin] - old_pressure);
+        Stress<dim> scaled = deviator(old);
+        for (double &component : scaled)
+          component *= new_pressure / old_pressure;
+        stress.store(i, scaled, new_pressure);
+        points.history[log_volume_ratio][i] =
+          -new_pressure / parameters.moduli().bulk();
+        released_energy +=
+          points.volume[i] * (elastic_energy_density(old) -
+                              elastic_energy_density(stress.load(i)));
+      }
+    return released_energy;
+  }
+
+
+
+  template <int dim>
   std::string
   DruckerPragerViscoplastic<dim>::remark_on(
     const Stress<dim> &initial_stress) const

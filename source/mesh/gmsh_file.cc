@@ -84,11 +84,14 @@ namespace mpm_granular::Mesh
       }
     catch (const ExceptionBase &exception)
       {
-        std::ostringstream reason;
-        exception.print_info(reason);
+        // The first line of deal.II's reason; lists of formats may follow it.
+        std::stringstream text;
+        exception.print_info(text);
+        std::string reason;
+        std::getline(text >> std::ws, reason);
         throw InputError("The mesh file '" + path +
                          "' cannot be read as a gmsh mesh of dimension " +
-                         std::to_string(dim) + ":" + reason.str());
+                         std::to_string(dim) + ": " + reason);
       }
     for (const auto &cell : triangulation.active_cell_iterators())
       require(cell->reference_cell().is_simplex(),

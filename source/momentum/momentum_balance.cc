@@ -131,9 +131,9 @@ namespace mpm_granular::Momentum
   template <int dim>
   GridWork
   MomentumBalance<dim>::work(const Grid::NodalFields<dim> &fields,
-                             const StepInput<dim>         &step) const
+                             const StepInput<dim>         &step)
   {
-    NodalVectors<dim> new_momentum;
+    NodalVectors<dim> &new_momentum = scratch;
     mass.multiply(new_velocity, new_momentum);
     GridWork work;
     for (unsigned int i = 0; i < fields.n_active_nodes(); ++i)

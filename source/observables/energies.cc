@@ -43,6 +43,7 @@ namespace mpm_granular::Observables
             "dissipated_energy",
             "boundary_work",
             "transfer_loss",
+            "filter_loss",
             "closure"};
   }
 
@@ -58,8 +59,8 @@ namespace mpm_granular::Observables
       initial = now;
 
     const double error = now.total() + ledger.dissipated +
-                         ledger.transfer_loss - ledger.boundary_work -
-                         initial->total();
+                         ledger.transfer_loss + ledger.filter_loss -
+                         ledger.boundary_work - initial->total();
     const double scale =
       initial->potential > 0. ? initial->potential : initial->total();
     return {now.kinetic,
@@ -68,6 +69,7 @@ namespace mpm_granular::Observables
             ledger.dissipated,
             ledger.boundary_work,
             ledger.transfer_loss,
+            ledger.filter_loss,
             scale > 0. ? error / scale : error};
   }
 

@@ -10,25 +10,13 @@ namespace mpm_granular::Output
 
   namespace
   {
-    /// p, positive in compression [Pa].
-    template <int dim>
-    double
-    pressure(const Points::PointArrays<dim> &points, const std::size_t index)
-    {
-      return -(points.stress[0][index] + points.stress[1][index] +
-               points.stress[2][index]) /
-             3.;
-    }
-
-
-
     /// q = sqrt(3/2 s:s) [Pa].
     template <int dim>
     double
     von_mises_stress(const Points::PointArrays<dim> &points,
                      const std::size_t               index)
     {
-      const double p   = pressure(points, index);
+      const double p   = points.pressure(index);
       double       sum = 0.;
       for (unsigned int c = 0; c < n_stress<dim>; ++c)
         {
@@ -119,7 +107,7 @@ namespace mpm_granular::Output
                  "Pa",
                  [&points, c](auto i) { return points.stress[c][i]; });
     add_scalar("pressure", "Pa", [&points](auto i) {
-      return pressure(points, i);
+      return points.pressure(i);
     });
     add_scalar("von_mises_stress", "Pa", [&points](auto i) {
       return von_mises_stress(points, i);

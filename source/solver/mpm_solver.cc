@@ -17,6 +17,7 @@ namespace mpm_granular::Solver
       step_control.next_step(step_limits(), current_time, next_event); // (T25)
 
     fields.gather_nodes(); // (T9)
+    smooth_pressures();    // (T29)
     boundary.update(fields, current_time, dt);
     boundary.add_tractions(fields, current_time); // (T10)
     const Momentum::StepInput<dim> step{dt,
@@ -27,10 +28,28 @@ namespace mpm_granular::Solver
     move_and_strain(step); // (T11) to (T24)
 
     ++n_steps;
+    since_filter += dt;
     last_time_step = dt;
     current_time   = std::abs(next_event - current_time - dt) < 1e-12 * dt ?
                        next_event :
                        current_time + dt;
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::smooth_pressures()
+  {
+    // Noise grows over many steps; filtering every tenth costs little.
+    constexpr unsigned int interval = 10;
+    if (!parameters.transfer.filters_pressure() || n_steps % interval != 0 ||
+        since_filter == 0.)
+      return;
+    ledger.filter_loss +=
+      sweep.smooth_pressures(points.arrays(),
+                             fields,
+                             parameters.transfer.filter_fraction(since_filter));
+    fields.gather_forces();
+    since_filter = 0.;
   }
 
   template <int dim>

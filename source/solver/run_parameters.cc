@@ -18,6 +18,23 @@ namespace mpm_granular::Solver
       declare();
       prm.leave_subsection();
     }
+
+    /// Checks every group, with its name in front of messages.
+    template <class Group>
+    void
+    check_named(const std::string                    &section,
+                const Parameters::NamedGroups<Group> &groups)
+    {
+      for (const auto &name : groups.all_names())
+        try
+          {
+            groups[name].check();
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(section + "/" + name + ": " + error.what());
+          }
+    }
   } // namespace
 
   template <int dim>
@@ -100,12 +117,11 @@ namespace mpm_granular::Solver
   RunParameters<dim>::check() const
   {
     mesh->check();
-    for (const auto &name : materials.all_names())
-      materials[name].check();
+    check_named("Materials", materials);
+    check_named("Points", regions);
     const auto &known = materials.all_names();
     for (const auto &name : regions.all_names())
       {
-        regions[name].check();
         const std::string &material = regions[name].material_name();
         std::string        list;
         for (const auto &valid : known)
@@ -118,8 +134,7 @@ namespace mpm_granular::Solver
       !regions.all_names().empty(),
       "Points/Names is empty: a run needs at least one region of points.");
     initial_state.check();
-    for (const auto &name : boundary_conditions.all_names())
-      boundary_conditions[name].check();
+    check_named("Boundary conditions", boundary_conditions);
     body_force.check();
     transfer.check();
     momentum.check();

@@ -13,6 +13,7 @@ namespace mpm_granular::Solver
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws)
     : mesh(mesh)
     , laws(laws)
+    , filter(mesh)
   {}
 
   template <int dim>
@@ -128,6 +129,41 @@ namespace mpm_granular::Solver
       relocate_and_sum(points, fields, result);
     });
     return result;
+  }
+
+  template <int dim>
+  double
+  Sweep<dim>::smooth_pressures(Points::PointArrays<dim> &points,
+                               Grid::NodalFields<dim>   &fields,
+                               const double              fraction)
+  {
+    const auto law_of = [&](const Points::Run run) -> auto &
+    {
+      return *laws[points.material[run.begin]];
+    };
+    filter.reinit(fields);
+    for_each_block(points, [&] {
+      for (const auto &run : block.runs)
+        if (law_of(run).has_smoothable_pressure())
+          filter.add(fields, points, run);
+    });
+    filter.find_gradients(fields);
+
+    double released_energy = 0.;
+    fields.clear_stresses();
+    for_each_block(points, [&] {
+      for (const auto &run : block.runs)
+        if (law_of(run).has_smoothable_pressure())
+          {
+            filter.evaluate(fields, points, run, smooth_pressure);
+            released_energy += law_of(run).relax_pressure(points,
+                                                          run,
+                                                          smooth_pressure,
+                                                          fraction);
+          }
+      Transfer::add_stress(points, block, fields);
+    });
+    return released_energy;
   }
 
   template class Sweep<2>;

@@ -36,6 +36,14 @@ namespace mpm_granular::Transfer
           "time step. Units: 1/s.",
           Patterns::Double(0.));
       });
+    prm.add_parameter(
+      "Pressure filter rate",
+      pressure_filter_rate,
+      "Rate at which the pressures of points in contact relax to a smooth "
+      "field, which removes pressure noise (granular laws only). 0: never; "
+      "0.2 times wave speed over cell size is a good value for flows. "
+      "Units: 1/s.",
+      Patterns::Double(0.));
   }
 
   StressOrder
@@ -52,5 +60,11 @@ namespace mpm_granular::Transfer
     return velocity_update == "FLIP" ? 0. :
            velocity_update == "PIC"  ? 1. :
                                        std::min(1., pic_rate * time_step);
+  }
+
+  double
+  TransferParameters::filter_fraction(const double duration) const
+  {
+    return std::min(1., pressure_filter_rate * duration);
   }
 } // namespace mpm_granular::Transfer

@@ -51,11 +51,11 @@ main()
   Observables::Energies<2> energies;
   print("Initial state", energies, body);
 
-  // Kinetic falls by 25, the ledger accounts for 20 + 3 - (-1) = 24 of it: one
-  // joule of 44 is missing.
+  // Kinetic falls by 25, the ledger accounts for 20 + 2 + 1 - (-1) = 24 of it:
+  // one joule of 44 is missing.
   body.points.velocity[0][0] = 0.;
   body.points.velocity[1][0] = 0.;
-  body.ledger                = {20., -1., 3.};
+  body.ledger                = {20., -1., 2., 1.};
   print("Later", energies, body);
 
   // Without gravity no potential energy, and the closure is relative to the

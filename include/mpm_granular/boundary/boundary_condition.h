@@ -28,6 +28,13 @@ namespace mpm_granular::Boundary
       return {};
     }
 
+    /// Whether velocity() is always zero, so that it need not be asked for.
+    virtual bool
+    is_at_rest() const
+    {
+      return false;
+    }
+
     /// The velocity whose components are prescribed, over the step from @p time
     /// to @p time + @p time_step [m/s].
     virtual dealii::Tensor<1, dim>

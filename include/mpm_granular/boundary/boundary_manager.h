@@ -47,8 +47,7 @@ namespace mpm_granular::Boundary
                     const Mesh::BackgroundMesh<dim> &mesh);
 
     /// Finds the constraints of the nodes that are active now, with their
-    /// values
-    /// for the step from @p time to @p time + @p time_step.
+    /// values for the step from @p time to @p time + @p time_step.
     void
     update(const Grid::NodalFields<dim> &fields,
            const double                  time,
@@ -71,13 +70,14 @@ namespace mpm_granular::Boundary
     {
       const BoundaryCondition<dim> *condition;
       dealii::Tensor<1, dim>        given;
-      dealii::Tensor<1, dim>        orthonormal;
     };
 
     struct Node
     {
-      unsigned int           node;
-      std::vector<Direction> directions;
+      unsigned int              node;
+      std::vector<Direction>    directions;
+      bool                      moves = false; ///< or its targets stay zero
+      Grid::NodeConstraint<dim> constraint;    ///< but for slot and targets
     };
 
     struct LoadedFace
@@ -88,6 +88,8 @@ namespace mpm_granular::Boundary
 
     void
     find_directions(const BoundarySettings<dim> &settings);
+    void
+    set_targets(Node &node, const double time, const double time_step) const;
 
     const Mesh::BackgroundMesh<dim> &mesh;
     std::vector<Node>                nodes;

@@ -13,6 +13,12 @@ namespace mpm_granular::Boundary
     void
     add_parameters(dealii::ParameterHandler &prm) override;
 
+    bool
+    is_at_rest() const override
+    {
+      return true;
+    }
+
     std::vector<dealii::Tensor<1, dim>>
     prescribed_directions(const dealii::Tensor<1, dim> &normal) const override;
   };

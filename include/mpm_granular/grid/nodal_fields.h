@@ -113,6 +113,13 @@ namespace mpm_granular::Grid
              active_nodes[node_slot[node]] == node;
     }
 
+    /// Slot of an active cell.
+    unsigned int
+    slot_of_cell(const unsigned int cell) const
+    {
+      return cell_slot[cell];
+    }
+
     /// Slot of an active node.
     unsigned int
     slot_of(const unsigned int node) const

@@ -12,11 +12,11 @@ namespace mpm_granular::Grid
   template <int dim>
   struct NodeConstraint
   {
-    unsigned int slot;         ///< of the node
-    unsigned int n_directions; ///< how many of the following are used
+    unsigned int slot         = 0; ///< of the node
+    unsigned int n_directions = 0; ///< how many of the following are used
 
     std::array<dealii::Tensor<1, dim>, dim> direction; ///< orthonormal
-    std::array<double, dim>                 target;    ///< along it [m/s]
+    std::array<double, dim>                 target{};  ///< along it [m/s]
   };
 
   /// The prescribed velocity components of all active nodes, now.

@@ -62,6 +62,34 @@ namespace mpm_granular::Materials
     virtual double
     elastic_energy_density(const Stress<dim> &stress) const = 0;
 
+    /**
+     * Whether the law lets the pressure of points in contact be smoothed
+     * (T29): laws whose points keep no stress that the grid does not feel, as
+     * elasticity, have no use for it.
+     */
+    virtual bool
+    has_smoothable_pressure() const
+    {
+      return false;
+    }
+
+    /**
+     * Moves the pressures of those points of a run that are in contact (p > 0)
+     * towards given ones, at the same q/p.
+     *
+     * @param target entry i belongs to point run.begin + i, 0 or more [Pa].
+     * @param fraction of the way, 0..1.
+     * @return elastic energy that this took out of the points [J, in 2D J/m].
+     */
+    virtual double
+    relax_pressure(Points::PointArrays<dim> & /*points*/,
+                   const Points::Run /*run*/,
+                   const std::vector<double> & /*target*/,
+                   const double /*fraction*/) const
+    {
+      return 0.;
+    }
+
     /// Human-readable warnings about an initial stress (say, outside the yield
     /// surface); empty if there is none.
     virtual std::string

@@ -82,6 +82,18 @@ namespace mpm_granular::Materials
       return parameters.moduli().energy_density(stress);
     }
 
+    bool
+    has_smoothable_pressure() const override
+    {
+      return true;
+    }
+
+    double
+    relax_pressure(Points::PointArrays<dim>  &points,
+                   const Points::Run          run,
+                   const std::vector<double> &target,
+                   const double               fraction) const override;
+
     std::string
     remark_on(const Stress<dim> &initial_stress) const override;
 

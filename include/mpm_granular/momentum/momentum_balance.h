@@ -79,8 +79,7 @@ namespace mpm_granular::Momentum
 
     /// Work of the step, after all velocities are known.
     GridWork
-    work(const Grid::NodalFields<dim> &fields,
-         const StepInput<dim>         &step) const;
+    work(const Grid::NodalFields<dim> &fields, const StepInput<dim> &step);
 
   private:
     /// All forces on a node but the reactions of constraints.

@@ -68,6 +68,14 @@ namespace mpm_granular::Points
       return x;
     }
 
+    /// p = -tr(sigma)/3 of point @p index, positive in compression [Pa].
+    double
+    pressure(const std::size_t index) const
+    {
+      return -(1. / 3.) *
+             (stress[0][index] + stress[1][index] + stress[2][index]);
+    }
+
     /// Calls @p action with every array, of whatever element type: the one
     /// list of what a point consists of.
     template <class Action>

@@ -116,6 +116,8 @@ namespace mpm_granular::Solver
     void
     find_cell_limits();
     void
+    smooth_pressures();
+    void
     move_and_strain(const Momentum::StepInput<dim> &step);
     void
     update_ledger(const Momentum::StepInput<dim> &step,
@@ -148,6 +150,7 @@ namespace mpm_granular::Solver
     Observables::EnergyLedger ledger;
     double                    current_time    = 0.;
     double                    last_time_step  = 0.;
+    double                    since_filter    = 0.; ///< of pressures [s]
     unsigned int              n_steps         = 0;
     std::size_t               n_lost          = 0;
     std::size_t               n_runs_in_order = 0;

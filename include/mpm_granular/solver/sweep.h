@@ -7,6 +7,7 @@
 #include <mpm_granular/points/motion.h>
 #include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/point_block.h>
+#include <mpm_granular/transfer/pressure_filter.h>
 
 #include <vector>
 
@@ -64,6 +65,15 @@ namespace mpm_granular::Solver
          const double              time_step,
          const double              pic_factor);
 
+    /// Relaxes the pressures of the points to smooth ones (T29), @p fraction of
+    /// the way, and sums their stresses to their cells again. The points must
+    /// be where the active nodes of @p fields were gathered.
+    /// @return elastic energy taken out of the points [J].
+    double
+    smooth_pressures(Points::PointArrays<dim> &points,
+                     Grid::NodalFields<dim>   &fields,
+                     const double              fraction);
+
   private:
     /// Calls @p action for every block of points.
     template <class Action>
@@ -84,6 +94,8 @@ namespace mpm_granular::Solver
     const Mesh::BackgroundMesh<dim>                            &mesh;
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws;
     Transfer::PointBlock<dim>                                   block;
+    Transfer::PressureFilter<dim>                               filter;
+    std::vector<double> smooth_pressure; ///< of the points of a run [Pa]
   };
 } // namespace mpm_granular::Solver
 

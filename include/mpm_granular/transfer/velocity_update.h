@@ -29,10 +29,22 @@ namespace mpm_granular::Transfer
     double
     pic_factor(const double time_step) const;
 
+    bool
+    filters_pressure() const
+    {
+      return pressure_filter_rate > 0.;
+    }
+
+    /// The part of the way to the smooth pressure (T29) that points in contact
+    /// go in a time.
+    double
+    filter_fraction(const double duration) const;
+
   private:
-    std::string order           = "MUSL";
-    std::string velocity_update = "blend";
-    double      pic_rate        = 3.; ///< [1/s]
+    std::string order                = "MUSL";
+    std::string velocity_update      = "blend";
+    double      pic_rate             = 3.; ///< [1/s]
+    double      pressure_filter_rate = 0.; ///< [1/s]
   };
 } // namespace mpm_granular::Transfer
 
