@@ -116,11 +116,6 @@ main(int argc, char **argv)
 
   return static_cast<int>(Core::run_and_report([&] {
     const CommandLine command_line = Parameters::parse_command_line(argc, argv);
-    const auto        n_processes =
-      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-    require(n_processes == 1,
-            "This version runs on one MPI process; it was started on " +
-              std::to_string(n_processes) + ".");
     return dispatch(command_line);
   }));
 }

@@ -1,3 +1,4 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <mpm_granular/boundary/boundary_manager.h>
@@ -201,10 +202,17 @@ namespace mpm_granular::Boundary
     for (const double weight : quadrature.get_weights())
       reference_area += weight;
 
+    // A face is loaded if any rank has points in its cell.
+    std::vector<unsigned int> has_points;
     for (const auto &loaded : loaded_faces)
-      if (fields.is_active_cell(loaded.face.cell))
+      has_points.push_back(fields.is_active_cell(loaded.face.cell));
+    Utilities::MPI::max(has_points, fields.shared.communicator(), has_points);
+
+    for (unsigned int f = 0; f < loaded_faces.size(); ++f)
+      if (has_points[f])
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
+            const auto             &loaded = loaded_faces[f];
             std::array<double, dim> shape_values; // on the face's nodes
             shape_values[0] = 1.;
             for (unsigned int k = 1; k < dim; ++k)
@@ -220,8 +228,9 @@ namespace mpm_granular::Boundary
               loaded.face.area * quadrature.weight(q) / reference_area *
               loaded.condition->traction(place, time);
             for (unsigned int k = 0; k < dim; ++k)
-              fields.sums[fields.slot_of(loaded.face.node[k])].load +=
-                shape_values[k] * force;
+              if (fields.is_active_node(loaded.face.node[k]))
+                fields.sums[fields.slot_of(loaded.face.node[k])].load +=
+                  shape_values[k] * force;
           }
   }
 

@@ -3,26 +3,65 @@
 #include <mpm_granular/core/exceptions.h>
 #include <mpm_granular/core/exit_code.h>
 
+#include <chrono>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <sstream>
 #include <string>
+#include <thread>
 
 namespace mpm_granular::Core
 {
   namespace
   {
-    void
-    report(const std::string &message)
+    /// Whether all ranks come here within some seconds: an error that all have
+    /// met together, rather than one that leaves the others waiting for ever.
+    bool
+    all_ranks_fail()
     {
-      namespace MPI = dealii::Utilities::MPI;
-      if (!MPI::job_supports_mpi() ||
-          MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      using Clock          = std::chrono::steady_clock;
+      const auto  patience = std::chrono::seconds(5);
+      const auto  begin    = Clock::now();
+      MPI_Request request;
+      int         have_all = 0;
+      if (MPI_Ibarrier(MPI_COMM_WORLD, &request) != MPI_SUCCESS)
+        return false;
+      while (have_all == 0 && Clock::now() - begin < patience)
         {
-          std::cout.flush();
-          std::cerr << "mpm_granular: error: " << message << std::endl;
+          MPI_Test(&request, &have_all, MPI_STATUS_IGNORE);
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
+      return have_all != 0;
+    }
+
+
+
+    /// Says @p message once for all ranks. If this rank fails alone, ends them
+    /// all with the exit code.
+    ExitCode
+    report(const std::string &message, const ExitCode code)
+    {
+      namespace MPI  = dealii::Utilities::MPI;
+      const auto say = [&](const std::string &who) {
+        std::cout.flush();
+        std::cerr << "mpm_granular: error" << who << ": " << message
+                  << std::endl;
+      };
+      if (!MPI::job_supports_mpi() || MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+        say("");
+      else
+        {
+          const unsigned int rank = MPI::this_mpi_process(MPI_COMM_WORLD);
+          if (!all_ranks_fail())
+            {
+              say(" on process " + std::to_string(rank));
+              MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
+            }
+          if (rank == 0)
+            say("");
+        }
+      return code;
     }
 
 
@@ -51,27 +90,28 @@ namespace mpm_granular::Core
       }
     catch (const InputError &error)
       {
-        report(error.what());
-        return ExitCode::input_refused;
+        return report(error.what(), ExitCode::input_refused);
       }
     catch (const ComputationError &error)
       {
-        report(error.what());
+        return report(error.what(), ExitCode::computation_failed);
       }
     catch (const std::bad_alloc &)
       {
-        report("There is not enough memory. Fewer cells and points need less; "
-               "--check estimates how much a run needs.");
+        return report("There is not enough memory. Fewer cells and points need "
+                      "less; --check estimates how much a run needs.",
+                      ExitCode::computation_failed);
       }
     catch (const std::exception &error)
       {
-        report("This is a fault of the program, please report it.\n" +
-               compact_text(error));
+        return report("This is a fault of the program, please report it.\n" +
+                        compact_text(error),
+                      ExitCode::computation_failed);
       }
     catch (...)
       {
-        report("This is a fault of the program, please report it.");
+        return report("This is a fault of the program, please report it.",
+                      ExitCode::computation_failed);
       }
-    return ExitCode::computation_failed;
   }
 } // namespace mpm_granular::Core

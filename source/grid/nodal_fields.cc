@@ -5,8 +5,10 @@ namespace mpm_granular::Grid
   using namespace dealii;
 
   template <int dim>
-  NodalFields<dim>::NodalFields(const Mesh::BackgroundMesh<dim> &mesh)
-    : mesh(mesh)
+  NodalFields<dim>::NodalFields(const Mesh::BackgroundMesh<dim> &mesh,
+                                const Mesh::Partition<dim>      &partition)
+    : shared(partition)
+    , mesh(mesh)
     , cell_slot(mesh.n_cells(), 0)
     , node_slot(mesh.n_nodes(), 0)
   {}
@@ -49,7 +51,40 @@ namespace mpm_granular::Grid
               node.momentum[d] += cell.momentum[d][k];
           }
       }
-    gather_forces();
+    add_forces();
+    if (shared.is_serial())
+      return;
+
+    constexpr unsigned int n_values = 1 + 2 * dim;
+    packed.resize(sums.size() * n_values);
+    for (unsigned int i = 0; i < sums.size(); ++i)
+      {
+        double *values = packed.data() + i * n_values;
+        *values++      = sums[i].mass;
+        for (unsigned int d = 0; d < dim; ++d, ++values)
+          {
+            values[0]   = sums[i].momentum[d];
+            values[dim] = sums[i].force[d];
+          }
+      }
+    shared.find_and_sum(
+      [&](const unsigned int node) {
+        return is_active_node(node) ? node_slot[node] :
+                                      SharedNodes<dim>::no_slot;
+      },
+      sums.size(),
+      packed.data(),
+      n_values);
+    for (unsigned int i = 0; i < sums.size(); ++i)
+      {
+        const double *values = packed.data() + i * n_values;
+        sums[i].mass         = *values++;
+        for (unsigned int d = 0; d < dim; ++d, ++values)
+          {
+            sums[i].momentum[d] = values[0];
+            sums[i].force[d]    = values[dim];
+          }
+      }
   }
 
   template <int dim>
@@ -58,6 +93,21 @@ namespace mpm_granular::Grid
   {
     for (auto &node : sums)
       node.force = 0.;
+    add_forces();
+    if (shared.is_serial())
+      return;
+    partial.resize(sums.size());
+    for (unsigned int i = 0; i < sums.size(); ++i)
+      partial[i] = sums[i].force;
+    shared.sum(partial);
+    for (unsigned int i = 0; i < sums.size(); ++i)
+      sums[i].force = partial[i];
+  }
+
+  template <int dim>
+  void
+  NodalFields<dim>::add_forces()
+  {
     for (unsigned int c = 0; c < active_cells.size(); ++c)
       {
         const auto    &geometry = mesh.cell(active_cells[c]);
@@ -86,8 +136,11 @@ namespace mpm_granular::Grid
   template <int dim>
   void
   NodalFields<dim>::add_mass_times(const std::vector<Tensor<1, dim>> &field,
-                                   std::vector<Tensor<1, dim>> &result) const
+                                   std::vector<Tensor<1, dim>>       &result)
   {
+    auto &sum_here = shared.is_serial() ? result : partial;
+    if (!shared.is_serial())
+      partial.assign(field.size(), Tensor<1, dim>());
     for (unsigned int c = 0; c < active_cells.size(); ++c)
       {
         const auto                         &mass  = cell_sums[c].mass;
@@ -100,9 +153,14 @@ namespace mpm_granular::Grid
             Tensor<1, dim> sum;
             for (unsigned int j = 0; j <= dim; ++j)
               sum += mass[k * (dim + 1) + j] * local[j];
-            result[nodes[k]] += sum;
+            sum_here[nodes[k]] += sum;
           }
       }
+    if (shared.is_serial())
+      return;
+    shared.sum(partial);
+    for (unsigned int i = 0; i < result.size(); ++i)
+      result[i] += partial[i];
   }
 
   template <int dim>

@@ -138,6 +138,8 @@ namespace mpm_granular::Momentum
     GridWork work;
     for (unsigned int i = 0; i < fields.n_active_nodes(); ++i)
       {
+        if (!fields.shared.counts(i))
+          continue;
         const auto          &node    = fields.sums[i];
         const Tensor<1, dim> impulse = new_momentum[i] - old_momentum[i];
         const Tensor<1, dim> mean    = .5 * (old_velocity[i] + new_velocity[i]);

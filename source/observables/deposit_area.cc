@@ -38,7 +38,8 @@ namespace mpm_granular::Observables
   {
     const double width =
       bin_width > 0. ? bin_width : snapshot.mesh.mean_cell_size();
-    return {find_surface(snapshot.points, frame, width).area()};
+    return {find_surface(snapshot.points, snapshot.communicator, frame, width)
+              .area()};
   }
 
 

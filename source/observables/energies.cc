@@ -1,3 +1,5 @@
+#include <deal.II/base/mpi.h>
+
 #include <mpm_granular/observables/energies.h>
 
 namespace mpm_granular::Observables
@@ -28,6 +30,9 @@ namespace mpm_granular::Observables
         energy.potential +=
           points.mass[i] * gravity * frame.height(points.location(i));
       }
+    for (double *const part :
+         {&energy.kinetic, &energy.elastic, &energy.potential})
+      *part = Utilities::MPI::sum(*part, snapshot.communicator);
     return energy;
   }
 
@@ -53,8 +58,8 @@ namespace mpm_granular::Observables
   std::vector<double>
   Energies<dim>::values(const Snapshot<dim> &snapshot, const Frame<dim> &frame)
   {
-    const StoredEnergy  now    = stored_energy(snapshot, frame);
-    const EnergyLedger &ledger = snapshot.ledger;
+    const StoredEnergy now    = stored_energy(snapshot, frame);
+    const EnergyLedger ledger = snapshot.ledger.summed(snapshot.communicator);
     if (!initial)
       initial = now;
 

@@ -66,9 +66,12 @@ namespace mpm_granular::Observables
   std::vector<double>
   Extent<dim>::values(const Snapshot<dim> &snapshot, const Frame<dim> &frame)
   {
-    const double front =
-      mass_quantile(snapshot.points, frame.along, mass_fraction);
-    const double top = mass_quantile(snapshot.points,
+    const double front = mass_quantile(snapshot.points,
+                                       snapshot.communicator,
+                                       frame.along,
+                                       mass_fraction);
+    const double top   = mass_quantile(snapshot.points,
+                                     snapshot.communicator,
                                      frame.up,
                                      mass_fraction,
                                      column(snapshot, frame));

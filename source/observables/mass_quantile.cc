@@ -39,6 +39,7 @@ namespace mpm_granular::Observables
   template <int dim>
   double
   mass_quantile(const Points::PointArrays<dim> &points,
+                const MPI_Comm                  communicator,
                 const Tensor<1, dim>           &direction,
                 const double                    fraction,
                 const Slab<dim>                &slab)
@@ -54,6 +55,9 @@ namespace mpm_granular::Observables
                      upper = std::max(upper, x);
                      mass += m;
                    });
+    lower = Utilities::MPI::min(lower, communicator);
+    upper = Utilities::MPI::max(upper, communicator);
+    mass  = Utilities::MPI::sum(mass, communicator);
     if (lower > upper)
       return std::numeric_limits<double>::quiet_NaN();
 
@@ -84,6 +88,9 @@ namespace mpm_granular::Observables
             ++bin;
           sums[bin] += m;
         });
+        Utilities::MPI::sum(ArrayView<const double>(sums.data(), n_bins),
+                            communicator,
+                            ArrayView<double>(sums.data(), n_bins));
         int bin = 0;
         while (bin + 1 < n_bins && remaining > sums[bin])
           remaining -= sums[bin++];
@@ -97,18 +104,20 @@ namespace mpm_granular::Observables
       if (x > highest && x <= upper)
         highest = x;
     });
-    return highest;
+    return Utilities::MPI::max(highest, communicator);
   }
 
 
 
   template double
   mass_quantile(const Points::PointArrays<2> &,
+                const MPI_Comm,
                 const Tensor<1, 2> &,
                 const double,
                 const Slab<2> &);
   template double
   mass_quantile(const Points::PointArrays<3> &,
+                const MPI_Comm,
                 const Tensor<1, 3> &,
                 const double,
                 const Slab<3> &);

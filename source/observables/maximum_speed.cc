@@ -1,3 +1,5 @@
+#include <deal.II/base/mpi.h>
+
 #include <mpm_granular/observables/maximum_speed.h>
 
 #include <algorithm>
@@ -5,6 +7,8 @@
 
 namespace mpm_granular::Observables
 {
+  using namespace dealii;
+
   template <int dim>
   std::vector<std::string>
   MaximumSpeed<dim>::columns() const
@@ -27,7 +31,8 @@ namespace mpm_granular::Observables
           square += points.velocity[d][i] * points.velocity[d][i];
         highest_square = std::max(highest_square, square);
       }
-    return {std::sqrt(highest_square)};
+    return {
+      std::sqrt(Utilities::MPI::max(highest_square, snapshot.communicator))};
   }
 
 

@@ -144,9 +144,11 @@ namespace mpm_granular::Observables
   ObservablesTable<dim>::profile_text(const Snapshot<dim> &snapshot) const
   {
     const Frame<dim> frame(snapshot.mesh, run_out, snapshot.gravity);
-    const Surface    surface =
-      find_surface(snapshot.points, frame, snapshot.mesh.mean_cell_size());
-    std::string text = "x,height\n";
+    const Surface    surface = find_surface(snapshot.points,
+                                         snapshot.communicator,
+                                         frame,
+                                         snapshot.mesh.mean_cell_size());
+    std::string      text    = "x,height\n";
     for (unsigned int bin = 0; bin < surface.height.size(); ++bin)
       text += Core::exact_text(surface.position(bin)) + "," +
               Core::exact_text(surface.height[bin]) + "\n";

@@ -1,9 +1,13 @@
+#include <deal.II/base/mpi.h>
+
 #include <mpm_granular/observables/run_state.h>
 
 #include <numeric>
 
 namespace mpm_granular::Observables
 {
+  using namespace dealii;
+
   template <int dim>
   std::vector<std::string>
   RunState<dim>::columns() const
@@ -17,13 +21,16 @@ namespace mpm_granular::Observables
   std::vector<double>
   RunState<dim>::values(const Snapshot<dim> &snapshot, const Frame<dim> &)
   {
-    const auto &mass = snapshot.points.mass;
+    const auto &mass   = snapshot.points.mass;
+    const auto  summed = [&](const double value) {
+      return Utilities::MPI::sum(value, snapshot.communicator);
+    };
     return {snapshot.time,
             static_cast<double>(snapshot.step),
             snapshot.time_step,
-            static_cast<double>(snapshot.points.size()),
-            std::accumulate(mass.begin(), mass.end(), 0.),
-            static_cast<double>(snapshot.n_lost)};
+            summed(snapshot.points.size()),
+            summed(std::accumulate(mass.begin(), mass.end(), 0.)),
+            summed(snapshot.n_lost)};
   }
 
 

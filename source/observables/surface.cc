@@ -1,4 +1,5 @@
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 #include <mpm_granular/observables/surface.h>
 
@@ -21,6 +22,7 @@ namespace mpm_granular::Observables
   template <int dim>
   Surface
   find_surface(const Points::PointArrays<dim> &points,
+               const MPI_Comm                  communicator,
                const Frame<dim>               &frame,
                const double                    bin_width)
   {
@@ -51,6 +53,8 @@ namespace mpm_granular::Observables
         height = std::max(height, frame.height(x) + half_spacing);
       }
 
+    Utilities::MPI::max(heights, communicator, heights);
+
     Surface surface{frame.start, bin_width, std::vector<double>(n_bins, 0.)};
     for (int bin = 0; bin < n_bins; ++bin)
       for (int column = 0; column < n_columns; ++column)
@@ -61,7 +65,13 @@ namespace mpm_granular::Observables
 
 
   template Surface
-  find_surface(const Points::PointArrays<2> &, const Frame<2> &, const double);
+  find_surface(const Points::PointArrays<2> &,
+               const MPI_Comm,
+               const Frame<2> &,
+               const double);
   template Surface
-  find_surface(const Points::PointArrays<3> &, const Frame<3> &, const double);
+  find_surface(const Points::PointArrays<3> &,
+               const MPI_Comm,
+               const Frame<3> &,
+               const double);
 } // namespace mpm_granular::Observables

@@ -5,9 +5,11 @@ namespace mpm_granular::Output
   using namespace dealii;
 
   template <int dim>
-  GridOutput<dim>::GridOutput(const OutputParameters &parameters)
+  GridOutput<dim>::GridOutput(const OutputParameters &parameters,
+                              const MPI_Comm          communicator)
     : parameters(parameters)
-    , series(parameters.directory, "grid")
+    , is_first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , series(parameters.directory, "grid", communicator)
   {}
 
 
@@ -35,8 +37,11 @@ namespace mpm_granular::Output
     DataOutBase::VtkFlags flags = parameters.vtk_flags();
     flags.time                  = time;
     flags.cycle                 = step;
-    series.add(time,
-               [&](std::ostream &out) { write_vtu(out, flags, contents); });
+    // The first rank has the whole mesh.
+    series.add(time, [&](std::ostream &out) {
+      if (is_first_rank)
+        write_vtu(out, flags, contents, MPI_COMM_SELF);
+    });
   }
 
 

@@ -132,10 +132,12 @@ namespace mpm_granular::Output
 
   template <int dim>
   PointsOutput<dim>::PointsOutput(const OutputParameters &parameters,
-                                  const Laws<dim>        &laws)
+                                  const Laws<dim>        &laws,
+                                  const MPI_Comm          communicator)
     : parameters(parameters)
     , laws(laws)
-    , series(parameters.directory, "points")
+    , communicator(communicator)
+    , series(parameters.directory, "points", communicator)
   {
     (void)field_names();
   }
@@ -191,8 +193,9 @@ namespace mpm_granular::Output
     DataOutBase::VtkFlags flags = parameters.vtk_flags();
     flags.time                  = time;
     flags.cycle                 = step;
-    series.add(time,
-               [&](std::ostream &out) { write_vtu(out, flags, contents); });
+    series.add(time, [&](std::ostream &out) {
+      write_vtu(out, flags, contents, communicator);
+    });
   }
 
 

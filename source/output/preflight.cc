@@ -67,7 +67,7 @@ namespace mpm_granular::Output
   double
   Preflight::wall_time() const
   {
-    return n_steps() * n_points / (1e6 * throughput);
+    return n_steps() * n_points / (1e6 * throughput * n_ranks);
   }
 
 
@@ -145,10 +145,12 @@ namespace mpm_granular::Output
     table.add("steps", n_steps(), "about " + count_text(n_steps()));
 
     table.add_heading("Cost");
+    if (n_ranks > 1)
+      table.add("processes", n_ranks, count_text(n_ranks));
     table.add("wall time",
               wall_time(),
               "about " + duration_text(wall_time()) + " at " +
-                short_text(throughput) + " million point-steps/s");
+                short_text(throughput * n_ranks) + " million point-steps/s");
     table.add("memory",
               bytes_in_memory,
               "about " + bytes_text(bytes_in_memory));

@@ -71,6 +71,35 @@ namespace mpm_granular::Output
 
 
 
+  void
+  on_first_rank(const MPI_Comm               communicator,
+                const std::function<void()> &action)
+  {
+    namespace MPI = dealii::Utilities::MPI;
+    // Empty if all is well; else I or C, for the kind, and the message.
+    std::string error;
+    if (MPI::this_mpi_process(communicator) == 0)
+      try
+        {
+          action();
+        }
+      catch (const InputError &exception)
+        {
+          error = std::string("I") + exception.what();
+        }
+      catch (const std::exception &exception)
+        {
+          error = std::string("C") + exception.what();
+        }
+    error = MPI::broadcast(communicator, error);
+    if (!error.empty() && error[0] == 'I')
+      throw InputError(error.substr(1));
+    if (!error.empty())
+      throw ComputationError(error.substr(1));
+  }
+
+
+
   RunFolder::RunFolder(const std::string &path, const bool overwrite)
     : folder(path)
   {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <sstream>
 #include <tuple>
 
 namespace mpm_granular::Output
@@ -100,46 +101,127 @@ namespace mpm_granular::Output
 
 
 
+  namespace
+  {
+    /// Calls @p use(text) for the text of each piece of @p contents; for one
+    /// without items, if there are none and @p at_least_one.
+    template <int item_dim, int dim, class Use>
+    void
+    for_each_piece(const VtuContents<item_dim, dim> &contents,
+                   DataOutBase::VtkFlags             flags,
+                   const bool                        at_least_one,
+                   Use                             &&use)
+    {
+      const Rows rows(contents.fields);
+      auto       patches =
+        make_patches<item_dim, dim>(std::min(contents.n_items, max_piece_size),
+                                    rows.names.size());
+      for (std::size_t n_written = 0;
+           n_written < contents.n_items || (n_written == 0 && at_least_one);)
+        {
+          const std::size_t n_now =
+            std::min(contents.n_items - n_written, max_piece_size);
+          patches.resize(n_now);
+          for (std::size_t i = 0; i < n_now; ++i)
+            fill(patches[i], contents, n_written + i);
+          std::ostringstream text;
+          DataOutBase::write_vtu_main(
+            patches, rows.names, rows.vectors, flags, text);
+          use(text.str());
+          if (n_now == 0)
+            return;
+          n_written += n_now;
+          // Time and step belong to the file, not to each piece.
+          flags.time  = std::numeric_limits<double>::min();
+          flags.cycle = std::numeric_limits<unsigned int>::min();
+        }
+    }
+
+    constexpr int tag = 7412;
+
+    /// Sends a piece to the first rank; an empty text ends them.
+    void
+    send_to_first(const std::string &text, const MPI_Comm communicator)
+    {
+      const int error =
+        MPI_Send(text.data(), text.size(), MPI_CHAR, 0, tag, communicator);
+      AssertThrowMPI(error);
+    }
+
+    std::string
+    receive_from(const unsigned int rank, const MPI_Comm communicator)
+    {
+      MPI_Status status;
+      int        n_bytes = 0;
+      int        error   = MPI_Probe(rank, tag, communicator, &status);
+      AssertThrowMPI(error);
+      error = MPI_Get_count(&status, MPI_CHAR, &n_bytes);
+      AssertThrowMPI(error);
+      std::string text(n_bytes, '\0');
+      error = MPI_Recv(text.data(),
+                       n_bytes,
+                       MPI_CHAR,
+                       rank,
+                       tag,
+                       communicator,
+                       MPI_STATUS_IGNORE);
+      AssertThrowMPI(error);
+      return text;
+    }
+  } // namespace
+
+
+
   template <int item_dim, int dim>
   void
   write_vtu(std::ostream                     &out,
             const DataOutBase::VtkFlags      &flags,
-            const VtuContents<item_dim, dim> &contents)
+            const VtuContents<item_dim, dim> &contents,
+            const MPI_Comm                    communicator)
   {
-    const Rows rows(contents.fields);
-    auto       patches =
-      make_patches<item_dim, dim>(std::min(contents.n_items, max_piece_size),
-                                  rows.names.size());
-
     DataOutBase::VtkFlags piece_flags = flags;
     for (const auto &field : contents.fields)
       if (!field.unit.empty())
         piece_flags.physical_units[field.name] = field.unit;
 
-    DataOutBase::write_vtu_header(out, piece_flags);
-    std::size_t n_written = 0;
-    do
+    if (Utilities::MPI::this_mpi_process(communicator) > 0)
       {
-        const std::size_t n_now =
-          std::min(contents.n_items - n_written, max_piece_size);
-        patches.resize(n_now);
-        for (std::size_t i = 0; i < n_now; ++i)
-          fill(patches[i], contents, n_written + i);
-        DataOutBase::write_vtu_main(
-          patches, rows.names, rows.vectors, piece_flags, out);
-        n_written += n_now;
-        // Time and step belong to the file, not to each piece.
         piece_flags.time  = std::numeric_limits<double>::min();
         piece_flags.cycle = std::numeric_limits<unsigned int>::min();
-    } while (n_written < contents.n_items);
-    DataOutBase::write_vtu_footer(out);
+        for_each_piece(contents, piece_flags, false, [&](const auto &text) {
+          send_to_first(text, communicator);
+        });
+        send_to_first("", communicator);
+        return;
+      }
+
+    // By way of strings: deal.II throws where a stream has failed, and this
+    // rank must listen to the others all the same.
+    std::ostringstream frame;
+    DataOutBase::write_vtu_header(frame, piece_flags);
+    out << frame.str();
+    for_each_piece(contents, piece_flags, true, [&](const auto &text) {
+      out << text;
+    });
+    for (unsigned int rank = 1;
+         rank < Utilities::MPI::n_mpi_processes(communicator);
+         ++rank)
+      for (std::string text;
+           !(text = receive_from(rank, communicator)).empty();)
+        out << text;
+    frame.str("");
+    DataOutBase::write_vtu_footer(frame);
+    out << frame.str();
   }
 
 
 
-  VtuSeries::VtuSeries(const std::string &folder, const std::string &name)
+  VtuSeries::VtuSeries(const std::string &folder,
+                       const std::string &name,
+                       const MPI_Comm     communicator)
     : folder(folder)
     , name(name)
+    , communicator(communicator)
   {}
 
 
@@ -149,17 +231,38 @@ namespace mpm_granular::Output
                  const std::function<void(std::ostream &)> &write)
   {
     namespace fs = std::filesystem;
-    fs::create_directories(fs::path(folder) / name);
     const std::string file =
       name + "/" + name + "-" +
       Utilities::int_to_string(times_and_names.size(), 5) + ".vtu";
-    write_atomically((fs::path(folder) / file).string(), write);
-
     times_and_names.emplace_back(time, file);
-    write_atomically((fs::path(folder) / (name + ".pvd")).string(),
-                     [&](std::ostream &out) {
-                       DataOutBase::write_pvd_record(out, times_and_names);
-                     });
+
+    // What the others send has to be received even if there is no file.
+    std::ostringstream unused;
+    if (Utilities::MPI::this_mpi_process(communicator) > 0)
+      write(unused);
+    on_first_rank(communicator, [&] {
+      std::error_code ignored; // the file cannot be written then, either
+      fs::create_directories(fs::path(folder) / name, ignored);
+      bool is_written = false;
+      try
+        {
+          write_atomically((fs::path(folder) / file).string(),
+                           [&](std::ostream &out) {
+                             is_written = true;
+                             write(out);
+                           });
+        }
+      catch (...)
+        {
+          if (!is_written)
+            write(unused);
+          throw;
+        }
+      write_atomically((fs::path(folder) / (name + ".pvd")).string(),
+                       [&](std::ostream &out) {
+                         DataOutBase::write_pvd_record(out, times_and_names);
+                       });
+    });
   }
 
 
@@ -167,17 +270,21 @@ namespace mpm_granular::Output
   template void
   write_vtu(std::ostream &,
             const DataOutBase::VtkFlags &,
-            const VtuContents<0, 2> &);
+            const VtuContents<0, 2> &,
+            const MPI_Comm);
   template void
   write_vtu(std::ostream &,
             const DataOutBase::VtkFlags &,
-            const VtuContents<0, 3> &);
+            const VtuContents<0, 3> &,
+            const MPI_Comm);
   template void
   write_vtu(std::ostream &,
             const DataOutBase::VtkFlags &,
-            const VtuContents<2, 2> &);
+            const VtuContents<2, 2> &,
+            const MPI_Comm);
   template void
   write_vtu(std::ostream &,
             const DataOutBase::VtkFlags &,
-            const VtuContents<3, 3> &);
+            const VtuContents<3, 3> &,
+            const MPI_Comm);
 } // namespace mpm_granular::Output

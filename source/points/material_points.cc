@@ -1,4 +1,7 @@
+#include <deal.II/base/mpi.h>
+
 #include <mpm_granular/points/material_points.h>
+#include <mpm_granular/points/migration.h>
 
 #include <algorithm>
 #include <numeric>
@@ -47,8 +50,10 @@ namespace mpm_granular::Points
 
   template <int dim>
   MaterialPoints<dim>::MaterialPoints(const Mesh::BackgroundMesh<dim> &mesh,
-                                      std::vector<std::string> history_names)
+                                      const Mesh::Partition<dim> &partition,
+                                      std::vector<std::string>    history_names)
     : mesh(mesh)
+    , partition(partition)
     , names(std::move(history_names))
     , particles(mesh.triangulation(),
                 mesh.mapping(),
@@ -77,10 +82,12 @@ namespace mpm_granular::Points
                               const unsigned int            material,
                               const double                  density)
   {
-    std::vector<double>   properties(n_properties<dim>(names.size()), 0.);
-    types::particle_index id = particles.n_global_particles();
+    std::vector<double> properties(n_properties<dim>(names.size()), 0.);
     for (const auto &seed : seeds)
       {
+        const types::particle_index id = n_inserted++;
+        if (!partition.is_owned(seed.cell))
+          continue;
         const auto shape_values =
           mesh.cell(seed.cell).shape_values(seed.position);
         Point<dim> reference;
@@ -91,7 +98,7 @@ namespace mpm_granular::Points
         properties.back()                   = material;
         particles.insert_particle(seed.position,
                                   reference,
-                                  id++,
+                                  id,
                                   mesh.cell_iterator(seed.cell),
                                   make_array_view(properties));
       }
@@ -173,20 +180,27 @@ namespace mpm_granular::Points
     for (const unsigned int cell : occupied)
       n_in_cell[cell] = 0;
 
-    permute(permutation);
+    working_set.keep(permutation);
   }
 
   template <int dim>
-  void
-  MaterialPoints<dim>::permute(const std::vector<unsigned int> &permutation)
+  std::size_t
+  MaterialPoints<dim>::migrate()
   {
-    working_set.for_each_array([&](auto &array) {
-      typename std::remove_reference<decltype(array)>::type sorted(
-        permutation.size());
-      for (std::size_t p = 0; p < permutation.size(); ++p)
-        sorted[p] = array[permutation[p]];
-      array.swap(sorted);
-    });
+    const std::size_t n_sent = Points::migrate(partition, working_set);
+    order();
+    return n_sent;
+  }
+
+  template <int dim>
+  std::vector<std::uint32_t>
+  MaterialPoints<dim>::count_by_cell() const
+  {
+    std::vector<std::uint32_t> counts(mesh.n_cells(), 0);
+    for (const unsigned int cell : working_set.cell)
+      ++counts[cell];
+    Utilities::MPI::sum(counts, partition.communicator, counts);
+    return counts;
   }
 
   template <int dim>
@@ -199,7 +213,7 @@ namespace mpm_granular::Points
         kept.push_back(p);
     const std::size_t n_removed = working_set.size() - kept.size();
     if (n_removed > 0)
-      permute(kept);
+      working_set.keep(kept);
     return n_removed;
   }
 

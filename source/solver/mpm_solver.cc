@@ -26,6 +26,7 @@ namespace mpm_granular::Solver
                                           current_time),
                                         boundary.constraints()};
     move_and_strain(step); // (T11) to (T24)
+    agree_on_state();
 
     ++n_steps;
     since_filter += dt;
@@ -33,6 +34,8 @@ namespace mpm_granular::Solver
     current_time   = std::abs(next_event - current_time - dt) < 1e-12 * dt ?
                        next_event :
                        current_time + dt;
+    balance();
+    keep_order();
   }
 
   template <int dim>
@@ -63,11 +66,15 @@ namespace mpm_granular::Solver
 
     if (order == StressOrder::update_stress_first)
       {
+        double dissipated = 0.;
         momentum.map_velocity(fields, step.constraints); // (T15)
-        const double dissipated = sweep.strain(arrays, fields, step.time_step);
+        on_this_rank(
+          [&] { dissipated = sweep.strain(arrays, fields, step.time_step); });
         fields.gather_forces();         // (T9)
         momentum.advance(fields, step); // (T12)
-        result = sweep.move(arrays, fields, step.time_step, step.pic_factor);
+        on_this_rank([&] {
+          result = sweep.move(arrays, fields, step.time_step, step.pic_factor);
+        });
         result.dissipated = dissipated;
       }
     else
@@ -77,11 +84,32 @@ namespace mpm_granular::Solver
           momentum.strain_with_velocity(fields); // (T15)
         else
           momentum.remap_velocity(fields, step); // (T16)
-        result = sweep.advance(arrays, fields, step.time_step, step.pic_factor);
+        on_this_rank([&] {
+          result =
+            sweep.advance(arrays, fields, step.time_step, step.pic_factor);
+        });
       }
     update_ledger(step, result);
-    check_points(result);
-    keep_order(result);
+    on_this_rank([&] { check_points(result); });
+    is_out_of_reach = result.relocation.is_out_of_reach;
+    n_runs          = result.n_runs;
+  }
+
+  template <int dim>
+  template <class Action>
+  void
+  MPMSolver<dim>::on_this_rank(Action &&action)
+  {
+    if (!error.empty())
+      return;
+    try
+      {
+        action();
+      }
+    catch (const ComputationError &exception)
+      {
+        error = exception.what();
+      }
   }
 
   template <int dim>
@@ -120,28 +148,27 @@ namespace mpm_granular::Solver
               name(p) + " has a value that is not a number. Try a smaller CFL "
                         "or more points per cell.");
         }
-    if (sweep_result.lost_point == Transfer::no_point)
+    const unsigned int lost_point = sweep_result.relocation.lost_point;
+    if (lost_point == Transfer::no_point)
       return;
     if (!parameters.remove_lost_points)
       throw ComputationError(
-        name(sweep_result.lost_point) +
+        name(lost_point) +
         " has left the mesh. Make the mesh larger, close the boundary with a "
         "condition, or set Points/Remove lost points = true.");
     n_lost += points.remove_lost();
-    if (points.arrays().size() == 0)
-      throw ComputationError("All points have left the mesh.");
   }
 
   template <int dim>
   void
-  MPMSolver<dim>::keep_order(const SweepResult &sweep_result)
+  MPMSolver<dim>::keep_order()
   {
     // Points that cross cells break runs up; ordering costs less than it gains
     // when there are this many more runs than in order (measured).
     constexpr double too_many = 1.2;
     if (n_runs_in_order == 0)
-      n_runs_in_order = sweep_result.n_runs;
-    else if (sweep_result.n_runs > too_many * n_runs_in_order)
+      n_runs_in_order = n_runs;
+    else if (n_runs > too_many * n_runs_in_order)
       {
         points.order();
         n_runs_in_order = 0;
@@ -149,20 +176,48 @@ namespace mpm_granular::Solver
   }
 
   template <int dim>
-  Time::StepLimits
-  MPMSolver<dim>::step_limits() const
+  void
+  MPMSolver<dim>::agree_on_state()
   {
-    Time::StepLimits limits{std::numeric_limits<double>::max(),
-                            std::numeric_limits<double>::max(),
-                            std::sqrt(motion.speed_squared)};
+    RankReport report;
+    report.critical_step  = std::numeric_limits<double>::max();
+    report.least_altitude = std::numeric_limits<double>::max();
     for (const unsigned int cell : fields.active_cells)
       {
-        limits.critical_step =
-          std::min(limits.critical_step, cell_limits[cell].critical_step);
-        limits.least_altitude =
-          std::min(limits.least_altitude, cell_limits[cell].altitude);
+        report.critical_step =
+          std::min(report.critical_step, cell_limits[cell].critical_step);
+        report.least_altitude =
+          std::min(report.least_altitude, cell_limits[cell].altitude);
       }
-    return limits;
+    report.motion          = motion;
+    report.n_points        = points.arrays().size();
+    report.is_out_of_reach = is_out_of_reach;
+    report.error           = error;
+    agreement              = agree(report, partition.communicator);
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::balance()
+  {
+    // Sharing out costs some steps; where points are too few to be shared out
+    // evenly it must not be tried all the time.
+    constexpr unsigned int least_interval = 50;
+    const bool is_uneven = agreement.imbalance > partition.largest_imbalance &&
+                           n_steps >= last_balance + least_interval;
+    if (!is_uneven && !agreement.is_out_of_reach)
+      return;
+    if (is_uneven)
+      {
+        partition.distribute(points.count_by_cell());
+        last_balance = n_steps;
+        ++n_balanced;
+      }
+    points.migrate();
+    const SweepResult result = sweep.project(points.arrays(), fields);
+    motion                   = result.motion;
+    n_runs                   = result.n_runs;
+    n_runs_in_order          = 0;
   }
 
   template <int dim>
@@ -177,7 +232,8 @@ namespace mpm_granular::Solver
             points.arrays(),
             mesh,
             laws,
-            ledger};
+            ledger,
+            partition.communicator};
   }
 
   template <int dim>

@@ -1,8 +1,12 @@
+#include <deal.II/base/mpi.h>
+
 #include <mpm_granular/core/signals.h>
 #include <mpm_granular/output/progress.h>
 #include <mpm_granular/solver/run.h>
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <sstream>
 
 namespace mpm_granular::Solver
@@ -25,13 +29,16 @@ namespace mpm_granular::Solver
   Run<dim>::Run(RunParameters<dim> &parameters, const Parameters::RunInfo &info)
     : parameters(parameters)
     , info(info)
-    , solver(parameters, info.input_file)
+    , is_first_rank(Utilities::MPI::this_mpi_process(info.communicator) == 0)
+    , solver(parameters, info.input_file, info.communicator)
     , folder(parameters.output.directory, info.overwrite || info.check_only)
-    , console(true)
+    , console(is_first_rank)
     , points_output(in_folder(parameters.output, folder),
-                    solver.material_laws())
-    , grid_output(in_folder(parameters.output, folder))
-    , manifest(info.command_line, 1)
+                    solver.material_laws(),
+                    info.communicator)
+    , grid_output(in_folder(parameters.output, folder), info.communicator)
+    , manifest(info.command_line,
+               Utilities::MPI::n_mpi_processes(info.communicator))
     , field_times(parameters.output.interval)
     , observable_times(parameters.output.observables_interval)
     , in_steps(timings.section("time steps"))
@@ -47,7 +54,10 @@ namespace mpm_granular::Solver
     const auto &arrays = solver.material_points().arrays();
     const auto &laws   = solver.material_laws();
     const auto &names  = parameters.materials.all_names();
-    const auto  limits = solver.step_limits();
+    const auto &limits = solver.step_limits();
+    const auto  summed = [&](const auto value) {
+      return Utilities::MPI::sum(value, info.communicator);
+    };
 
     Output::Preflight report;
     report.dimension      = dim;
@@ -55,8 +65,9 @@ namespace mpm_granular::Solver
     report.n_nodes        = mesh.n_nodes();
     report.mean_cell_size = mesh.mean_cell_size();
     report.min_altitude   = limits.least_altitude;
-    report.n_points       = arrays.size();
-    report.n_filled_cells = solver.nodal_fields().active_cells.size();
+    report.n_points       = solver.n_points();
+    report.n_filled_cells =
+      summed(std::uint64_t(solver.nodal_fields().active_cells.size()));
 
     report.mass = report.volume = 0.;
     std::vector<std::uint64_t>           n_of_material(laws.size(), 0);
@@ -68,13 +79,17 @@ namespace mpm_granular::Solver
         ++n_of_material[arrays.material[p]];
         ++n_in_cell[arrays.cell[p]];
       }
-    const auto by_count = [](const auto &a, const auto &b) {
-      return a.second < b.second;
-    };
-    const auto [fewest, most] =
-      std::minmax_element(n_in_cell.begin(), n_in_cell.end(), by_count);
-    report.min_points_per_cell = fewest->second;
-    report.max_points_per_cell = most->second;
+    unsigned int fewest = std::numeric_limits<unsigned int>::max(), most = 0;
+    for (const auto &[cell, n_points] : n_in_cell)
+      {
+        fewest = std::min(fewest, n_points);
+        most   = std::max(most, n_points);
+      }
+    report.mass                = summed(report.mass);
+    report.volume              = summed(report.volume);
+    report.min_points_per_cell = Utilities::MPI::min(fewest, info.communicator);
+    report.max_points_per_cell = Utilities::MPI::max(most, info.communicator);
+    Utilities::MPI::sum(n_of_material, info.communicator, n_of_material);
     for (unsigned int m = 0; m < laws.size(); ++m)
       report.materials.push_back(
         {names[m],
@@ -93,9 +108,13 @@ namespace mpm_granular::Solver
     report.n_files         = parameters.output.interval > 0. ?
                                parameters.end_time / parameters.output.interval + 1. :
                                2.;
-    report.bytes_per_file  = points_output.estimated_file_size(arrays.size());
-    report.bytes_in_memory = solver.memory_consumption();
-    report.warnings        = solver.warnings();
+    report.bytes_per_file  = points_output.estimated_file_size(report.n_points);
+    report.bytes_in_memory = summed(double(solver.memory_consumption()));
+    report.n_ranks         = Utilities::MPI::n_mpi_processes(info.communicator);
+    for (const auto &warnings :
+         Utilities::MPI::all_gather(info.communicator, solver.warnings()))
+      if (report.warnings.empty())
+        report.warnings = warnings; // one place is enough
     report.add_warnings();
     return report;
   }
@@ -135,19 +154,20 @@ namespace mpm_granular::Solver
   void
   Run<dim>::open_output()
   {
-    folder.prepare();
-    console.open_log(folder.file("log.txt"));
-    Output::write_atomically(folder.file("parameters.prm"),
-                             [&](std::ostream &file) {
-                               file << info.parameter_text;
-                             });
-    parameters.observables.open(folder.file("observables.csv"));
-
     manifest.dimension = dim;
     manifest.n_cells   = solver.background_mesh().n_cells();
     manifest.n_nodes   = solver.background_mesh().n_nodes();
-    manifest.n_points  = solver.material_points().arrays().size();
-    manifest.write(folder.file("manifest.json"));
+    manifest.n_points  = solver.n_points();
+    Output::on_first_rank(info.communicator, [&] {
+      folder.prepare();
+      console.open_log(folder.file("log.txt"));
+      Output::write_atomically(folder.file("parameters.prm"),
+                               [&](std::ostream &file) {
+                                 file << info.parameter_text;
+                               });
+      parameters.observables.open(folder.file("observables.csv"));
+      manifest.write(folder.file("manifest.json"));
+    });
   }
 
   template <int dim>
@@ -170,18 +190,19 @@ namespace mpm_granular::Solver
     write_fields();
     while (solver.time() < parameters.end_time)
       {
-        if (Core::stop_requested())
+        // The signal may reach the ranks at different steps.
+        if (Utilities::MPI::max(Core::stop_signal(), info.communicator) != 0)
           return Outcome::interrupted;
         {
           Output::Timings::Scope timer(timings, in_steps);
           solver.advance_one_step(next_event());
         }
-        n_point_steps += solver.material_points().arrays().size();
+        n_point_steps += solver.n_points();
         if (observable_times.passes(solver.time()))
           write_observables();
         if (field_times.passes(solver.time()))
           write_fields();
-        if (progress.is_due())
+        if (is_first_rank && progress.is_due())
           progress.report({solver.time(),
                            solver.time_step(),
                            solver.step(),
@@ -210,7 +231,20 @@ namespace mpm_granular::Solver
                         solver.material_points().arrays());
     if (!parameters.output.write_grid)
       return;
-    const auto &fields = solver.nodal_fields();
+    // Mass and velocity of all nodes, each from one of the ranks that know it.
+    const auto         &fields   = solver.nodal_fields();
+    constexpr int       n_values = 1 + dim;
+    std::vector<double> values(solver.background_mesh().n_nodes() * n_values,
+                               0.);
+    for (unsigned int slot = 0; slot < fields.n_active_nodes(); ++slot)
+      if (fields.shared.counts(slot))
+        {
+          double *of_node = &values[fields.active_nodes[slot] * n_values];
+          of_node[0]      = fields.sums[slot].mass;
+          for (unsigned int d = 0; d < dim; ++d)
+            of_node[1 + d] = fields.motion[slot].velocity[d];
+        }
+    Utilities::MPI::sum(values, info.communicator, values);
     grid_output.write(
       solver.time(),
       solver.step(),
@@ -218,15 +252,9 @@ namespace mpm_granular::Solver
       {{"mass",
         "kg",
         1,
-        [&](const auto node, const auto) {
-          return fields.is_active_node(node) ?
-                   fields.sums[fields.slot_of(node)].mass :
-                   0.;
-        }},
+        [&](const auto node, const auto) { return values[node * n_values]; }},
        {"velocity", "m/s", dim, [&](const auto node, const auto component) {
-          return fields.is_active_node(node) ?
-                   fields.motion[fields.slot_of(node)].velocity[component] :
-                   0.;
+          return values[node * n_values + 1 + component];
         }}});
   }
 
@@ -240,20 +268,19 @@ namespace mpm_granular::Solver
         write_observables();
         write_fields();
       }
-    Output::write_atomically(folder.file("profile.csv"),
-                             [&](std::ostream &file) {
-                               file << parameters.observables.profile_text(
-                                 solver.snapshot());
-                             });
-
-    const auto           &points = solver.material_points();
+    const std::string profile =
+      parameters.observables.profile_text(solver.snapshot());
+    const double bytes =
+      Utilities::MPI::sum(double(solver.material_points().memory_consumption()),
+                          info.communicator);
     const Output::Summary summary{solver.time(),
                                   solver.step(),
                                   n_point_steps,
                                   timings.seconds(in_steps),
-                                  double(points.memory_consumption()) /
-                                    points.arrays().size()};
-    manifest.n_lost_points   = solver.n_lost_points();
+                                  bytes / solver.n_points()};
+    manifest.n_lost_points =
+      Utilities::MPI::sum(std::uint64_t(solver.n_lost_points()),
+                          info.communicator);
     manifest.n_steps         = solver.step();
     manifest.n_point_steps   = n_point_steps;
     manifest.n_files         = points_output.n_files();
@@ -262,7 +289,11 @@ namespace mpm_granular::Solver
     manifest.throughput      = Output::throughput(summary);
     manifest.bytes_per_point = summary.bytes_per_point;
     manifest.end(outcome, message);
-    manifest.write(folder.file("manifest.json"));
+    Output::on_first_rank(info.communicator, [&] {
+      Output::write_atomically(folder.file("profile.csv"),
+                               [&](std::ostream &file) { file << profile; });
+      manifest.write(folder.file("manifest.json"));
+    });
 
     console.say(Output::summary_text(summary));
     console.say("Results in " + folder.path());

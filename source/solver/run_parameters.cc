@@ -108,6 +108,7 @@ namespace mpm_granular::Solver
       momentum.add_parameters(prm);
     });
     add_section(prm, "Time step", [&] { time_step.add_parameters(prm); });
+    add_section(prm, "Parallel", [&] { partition.add_parameters(prm); });
     add_section(prm, "Output", [&] { output.add_parameters(prm); });
     add_section(prm, "Observables", [&] { observables.add_parameters(prm); });
   }

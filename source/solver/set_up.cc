@@ -57,21 +57,24 @@ namespace mpm_granular::Solver
 
   template <int dim>
   MPMSolver<dim>::MPMSolver(const RunParameters<dim> &parameters,
-                            const std::string        &input_file)
+                            const std::string        &input_file,
+                            const MPI_Comm            communicator)
     : parameters(parameters)
     , mesh(*parameters.mesh, input_file)
+    , partition(parameters.partition, mesh, communicator)
     , laws(laws_of(parameters))
-    , points(mesh, history_names<dim>(laws))
-    , fields(mesh)
+    , points(mesh, partition, history_names<dim>(laws))
+    , fields(mesh, partition)
     , boundary(parameters.boundary_conditions, mesh)
     , momentum(parameters.momentum, mesh, least_density<dim>(laws))
     , step_control(parameters.time_step)
-    , sweep(mesh, laws)
+    , sweep(mesh, partition, laws)
   {
     create_points(input_file);
     set_initial_state();
     find_cell_limits();
     motion = sweep.project(points.arrays(), fields).motion;
+    agree_on_state();
     step_control.check_stability(step_limits().critical_step);
   }
 
@@ -81,31 +84,41 @@ namespace mpm_granular::Solver
   {
     const auto &materials = parameters.materials.all_names();
     const auto &regions   = parameters.regions.all_names();
+
+    // Every rank finds all places of points, and keeps those of its own cells.
+    std::vector<std::vector<Points::Seed<dim>>> seeds;
+    std::vector<std::uint32_t>                  n_in_cell(mesh.n_cells(), 0);
     for (unsigned int r = 0; r < regions.size(); ++r)
       {
         const auto &region = parameters.regions[regions[r]];
-        const auto  seeds  = [&] {
-          try
-            {
-              return region.fill(mesh, input_file);
-            }
-          catch (const InputError &error)
-            {
-              throw InputError("Points/" + regions[r] + ": " + error.what());
-            }
-        }();
+        try
+          {
+            seeds.push_back(region.fill(mesh, input_file));
+          }
+        catch (const InputError &error)
+          {
+            throw InputError("Points/" + regions[r] + ": " + error.what());
+          }
         for (unsigned int before = 0; before < r; ++before)
-          for (const auto &seed : seeds)
+          for (const auto &seed : seeds[r])
             require(!parameters.regions[regions[before]].contains(seed.position,
                                                                   seed.cell),
                     "The regions " + regions[before] + " and " + regions[r] +
                       " of 'Points' overlap, for example at " +
                       Mesh::as_text(seed.position) + ".");
-        const unsigned int material = std::find(materials.begin(),
-                                                materials.end(),
-                                                region.material_name()) -
-                                      materials.begin();
-        points.insert(seeds, material, laws[material]->density());
+        for (const auto &seed : seeds[r])
+          ++n_in_cell[seed.cell];
+      }
+    partition.distribute(n_in_cell);
+
+    for (unsigned int r = 0; r < regions.size(); ++r)
+      {
+        const unsigned int material =
+          std::find(materials.begin(),
+                    materials.end(),
+                    parameters.regions[regions[r]].material_name()) -
+          materials.begin();
+        points.insert(seeds[r], material, laws[material]->density());
       }
     points.load();
   }

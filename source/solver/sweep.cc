@@ -10,8 +10,10 @@ namespace mpm_granular::Solver
   template <int dim>
   Sweep<dim>::Sweep(
     const Mesh::BackgroundMesh<dim>                            &mesh,
+    const Mesh::Partition<dim>                                 &partition,
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws)
     : mesh(mesh)
+    , partition(partition)
     , laws(laws)
     , filter(mesh)
   {}
@@ -34,8 +36,7 @@ namespace mpm_granular::Solver
                                Grid::NodalFields<dim>   &fields,
                                SweepResult              &result)
   {
-    result.lost_point =
-      std::min(result.lost_point, Transfer::relocate(mesh, points, block));
+    result.relocation += Transfer::relocate(mesh, partition, points, block);
     Transfer::add_mass_and_momentum(points, block, fields);
     result.motion += Points::motion_of(points, block.begin, block.end);
     result.n_runs += block.runs.size();

@@ -125,9 +125,17 @@ namespace mpm_granular::Transfer
       }
   }
 
+  void
+  Relocation::operator+=(const Relocation &other)
+  {
+    lost_point      = std::min(lost_point, other.lost_point);
+    is_out_of_reach = is_out_of_reach || other.is_out_of_reach;
+  }
+
   template <int dim>
-  unsigned int
+  Relocation
   relocate(const Mesh::BackgroundMesh<dim> &mesh,
+           const Mesh::Partition<dim>      &partition,
            Points::PointArrays<dim>        &points,
            PointBlock<dim>                 &block)
   {
@@ -135,9 +143,9 @@ namespace mpm_granular::Transfer
     // then counts as this far inside (in barycentric coordinates).
     constexpr double least = 1e-10;
 
-    const auto   position = pointers(points.position);
-    const auto   values   = pointers(block.shape_values);
-    unsigned int lost     = no_point;
+    const auto position = pointers(points.position);
+    const auto values   = pointers(block.shape_values);
+    Relocation result;
 
     for (const auto &run : block.runs)
       {
@@ -180,9 +188,11 @@ namespace mpm_granular::Transfer
             points.cell[p]   = found.cell;
             if (found.cell == Mesh::no_cell)
               {
-                lost = std::min(lost, p);
+                result.lost_point = std::min(result.lost_point, p);
                 continue;
               }
+            result.is_out_of_reach =
+              result.is_out_of_reach || !partition.is_reachable(found.cell);
             double sum = 0.;
             for (unsigned int k = 0; k <= dim; ++k)
               sum += std::max(found.shape_values[k], least);
@@ -190,23 +200,24 @@ namespace mpm_granular::Transfer
               values[k][q] = std::max(found.shape_values[k], least) / sum;
           }
       }
-    return lost;
+    return result;
   }
 
-#define INSTANTIATE(dim)                                                      \
-  template void         move_points(const Mesh::BackgroundMesh<dim> &,        \
-                                    const Grid::NodalFields<dim> &,           \
-                                    const PointBlock<dim> &,                  \
-                                    const double,                             \
-                                    const double,                             \
-                                    Points::PointArrays<dim> &);              \
-  template void         evaluate_gradients(const Mesh::BackgroundMesh<dim> &, \
-                                           const Grid::NodalFields<dim> &,    \
-                                           const Points::PointArrays<dim> &,  \
-                                           PointBlock<dim> &);                \
-  template unsigned int relocate(const Mesh::BackgroundMesh<dim> &,           \
-                                 Points::PointArrays<dim> &,                  \
-                                 PointBlock<dim> &);
+#define INSTANTIATE(dim)                                                    \
+  template void       move_points(const Mesh::BackgroundMesh<dim> &,        \
+                                  const Grid::NodalFields<dim> &,           \
+                                  const PointBlock<dim> &,                  \
+                                  const double,                             \
+                                  const double,                             \
+                                  Points::PointArrays<dim> &);              \
+  template void       evaluate_gradients(const Mesh::BackgroundMesh<dim> &, \
+                                         const Grid::NodalFields<dim> &,    \
+                                         const Points::PointArrays<dim> &,  \
+                                         PointBlock<dim> &);                \
+  template Relocation relocate(const Mesh::BackgroundMesh<dim> &,           \
+                               const Mesh::Partition<dim> &,                \
+                               Points::PointArrays<dim> &,                  \
+                               PointBlock<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

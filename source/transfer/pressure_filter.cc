@@ -17,7 +17,8 @@ namespace mpm_granular::Transfer
   void
   PressureFilter<dim>::reinit(const Grid::NodalFields<dim> &fields)
   {
-    nodes.assign(fields.n_active_nodes(), {});
+    means.assign(fields.n_active_nodes(), {});
+    slopes.assign(fields.n_active_nodes(), {});
     cell_volume.assign(fields.active_cells.size(), 0.);
   }
 
@@ -34,20 +35,21 @@ namespace mpm_granular::Transfer
     const auto        &slots = fields.cell_nodes[slot];
     for (unsigned int p = run.begin; p < run.end; ++p)
       {
-        const double pressure = points.pressure(p);
-        if (pressure <= 0.)
+        const double point_pressure = points.pressure(p);
+        if (point_pressure <= 0.)
           continue;
-        const double     volume       = points.volume[p];
+        const double     point_volume = points.volume[p];
         const Point<dim> x            = points.location(p);
         const auto       shape_values = mesh.cell(cell).shape_values(x);
-        cell_volume[slot] += volume;
+        cell_volume[slot] += point_volume;
         for (unsigned int k = 0; k <= dim; ++k)
           {
-            Node        &node   = nodes[slots[k]];
-            const double weight = shape_values[k] * volume;
-            node.volume += weight;
-            node.pressure += weight * pressure;
-            node.center += weight * Tensor<1, dim>(x);
+            auto        &sums  = means[slots[k]];
+            const double share = shape_values[k] * point_volume;
+            sums[volume] += share;
+            sums[pressure] += share * point_pressure;
+            for (unsigned int d = 0; d < dim; ++d)
+              sums[center + d] += share * x[d];
           }
       }
   }
@@ -56,14 +58,13 @@ namespace mpm_granular::Transfer
 
   template <int dim>
   void
-  PressureFilter<dim>::find_gradients(const Grid::NodalFields<dim> &fields)
+  PressureFilter<dim>::find_gradients(Grid::NodalFields<dim> &fields)
   {
-    for (Node &node : nodes)
-      if (node.volume > 0.)
-        {
-          node.pressure /= node.volume;
-          node.center /= node.volume;
-        }
+    fields.shared.sum(means.data()->data(), n_means);
+    for (auto &node : means)
+      if (node[volume] > 0.)
+        for (unsigned int m = pressure; m < n_means; ++m)
+          node[m] /= node[volume];
 
     // The simplex of the centers of its nodes, where it is not too flat a
     // picture of the cell, has a gradient of the mean pressures.
@@ -72,33 +73,37 @@ namespace mpm_granular::Transfer
       {
         const auto &slots      = fields.cell_nodes[c];
         const auto  is_sampled = [&](const unsigned int slot) {
-          return nodes[slot].volume > 0.;
+          return means[slot][volume] > 0.;
         };
         if (cell_volume[c] == 0. ||
             !std::all_of(slots.begin(), slots.end(), is_sampled))
           continue;
         Tensor<2, dim> map; // from the cell to the centers of its nodes
-        Tensor<1, dim> slope;
+        Tensor<1, dim> along_cell;
         for (unsigned int k = 0; k <= dim; ++k)
           {
-            const Tensor<1, dim> gradient =
+            const auto          &node = means[slots[k]];
+            const Tensor<1, dim> shape_gradient =
               mesh.cell(fields.active_cells[c]).shape_gradient(k);
-            map +=
-              outer_product(Tensor<1, dim>(nodes[slots[k]].center), gradient);
-            slope += nodes[slots[k]].pressure * gradient;
+            for (unsigned int d = 0; d < dim; ++d)
+              map[d] += node[center + d] * shape_gradient;
+            along_cell += node[pressure] * shape_gradient;
           }
         if (determinant(map) <= flattest)
           continue;
-        const Tensor<1, dim> gradient = transpose(invert(map)) * slope;
+        const Tensor<1, dim> in_space = transpose(invert(map)) * along_cell;
         for (const unsigned int slot : slots)
           {
-            nodes[slot].gradient += cell_volume[c] * gradient;
-            nodes[slot].gradient_volume += cell_volume[c];
+            slopes[slot][weight] += cell_volume[c];
+            for (unsigned int d = 0; d < dim; ++d)
+              slopes[slot][gradient + d] += cell_volume[c] * in_space[d];
           }
       }
-    for (Node &node : nodes)
-      if (node.gradient_volume > 0.)
-        node.gradient /= node.gradient_volume;
+    fields.shared.sum(slopes.data()->data(), n_slopes);
+    for (auto &node : slopes)
+      if (node[weight] > 0.)
+        for (unsigned int d = 0; d < dim; ++d)
+          node[gradient + d] /= node[weight];
   }
 
 
@@ -108,11 +113,11 @@ namespace mpm_granular::Transfer
   PressureFilter<dim>::evaluate(const Grid::NodalFields<dim>   &fields,
                                 const Points::PointArrays<dim> &points,
                                 const Points::Run               run,
-                                std::vector<double>            &pressure) const
+                                std::vector<double> &smooth_pressure) const
   {
     const unsigned int cell  = points.cell[run.begin];
     const auto        &slots = fields.cell_nodes[fields.slot_of_cell(cell)];
-    pressure.resize(run.end - run.begin);
+    smooth_pressure.resize(run.end - run.begin);
     for (unsigned int p = run.begin; p < run.end; ++p)
       {
         const Point<dim> x            = points.location(p);
@@ -120,11 +125,14 @@ namespace mpm_granular::Transfer
         double           sum          = 0.;
         for (unsigned int k = 0; k <= dim; ++k)
           {
-            const Node &node = nodes[slots[k]];
-            sum += shape_values[k] *
-                   (node.pressure + node.gradient * (x - node.center));
+            const auto &node      = means[slots[k]];
+            double      from_node = node[pressure];
+            for (unsigned int d = 0; d < dim; ++d)
+              from_node +=
+                slopes[slots[k]][gradient + d] * (x[d] - node[center + d]);
+            sum += shape_values[k] * from_node;
           }
-        pressure[p - run.begin] = std::max(sum, 0.);
+        smooth_pressure[p - run.begin] = std::max(sum, 0.);
       }
   }
 

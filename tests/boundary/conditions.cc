@@ -74,8 +74,9 @@ template <int dim>
 void
 test()
 {
-  const auto             mesh = box<dim>();
-  Grid::NodalFields<dim> fields(*mesh);
+  const auto                 mesh = box<dim>();
+  const Mesh::Partition<dim> partition({}, *mesh, MPI_COMM_SELF);
+  Grid::NodalFields<dim>     fields(*mesh, partition);
   activate(*mesh, fields);
   const std::string others = dim == 2 ? "" : ", z_min, z_max";
 

@@ -93,7 +93,8 @@ main()
   print(area, body, "x");
 
   const Observables::Frame<3> frame(body.mesh, "x", body.gravity);
-  const auto surface = Observables::find_surface(body.points, frame, 0.5);
+  const auto                  surface =
+    Observables::find_surface(body.points, MPI_COMM_SELF, frame, 0.5);
   for (unsigned int bin = 0; bin < surface.height.size(); ++bin)
     std::cout << "  surface " << surface.position(bin) << " "
               << surface.height[bin] << std::endl;

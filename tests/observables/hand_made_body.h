@@ -148,7 +148,8 @@ namespace Test
     Observables::Snapshot<dim>
     snapshot() const
     {
-      return {time, 7, 0.25, 3, gravity, points, mesh, laws, ledger};
+      return {
+        time, 7, 0.25, 3, gravity, points, mesh, laws, ledger, MPI_COMM_SELF};
     }
 
     Mesh::BackgroundMesh<dim>                            mesh;

@@ -80,11 +80,11 @@ compare(const unsigned int n, const bool equal_masses)
       for (const auto &slab :
            {Observables::Slab<dim>(),
             Observables::Slab<dim>{Point<dim>::unit_vector(1), -2.5, 1.}})
-        error =
-          std::max(error,
-                   std::abs(Observables::mass_quantile(
-                              points, direction, fraction, slab) -
-                            reference(points, direction, fraction, slab)));
+        error = std::max(error,
+                         std::abs(
+                           Observables::mass_quantile(
+                             points, MPI_COMM_SELF, direction, fraction, slab) -
+                           reference(points, direction, fraction, slab)));
   // The range of the coordinates is about 10.
   std::cout << dim << "D, " << n << " points, "
             << (equal_masses ? "equal" : "unequal")
@@ -101,7 +101,8 @@ special_cases()
   const Tensor<1, 2>     x = Point<2>::unit_vector(0);
   Points::PointArrays<2> points;
   std::cout << "No point: "
-            << std::isnan(Observables::mass_quantile(points, x, 0.5))
+            << std::isnan(
+                 Observables::mass_quantile(points, MPI_COMM_SELF, x, 0.5))
             << std::endl;
 
   for (const double place : {2., 2., 2.})
@@ -111,19 +112,22 @@ special_cases()
       points.mass.back()        = 1.;
     }
   std::cout << "All at one place: "
-            << Observables::mass_quantile(points, x, 0.999) << std::endl;
+            << Observables::mass_quantile(points, MPI_COMM_SELF, x, 0.999)
+            << std::endl;
 
   points.position[0][0] = 1.;
   points.position[0][2] = 1e6;
   points.mass[2]        = 1e-3;
   std::cout << "A light one far away, 99.9 %: "
-            << Observables::mass_quantile(points, x, 0.999)
-            << ", all: " << Observables::mass_quantile(points, x, 1.)
+            << Observables::mass_quantile(points, MPI_COMM_SELF, x, 0.999)
+            << ", all: "
+            << Observables::mass_quantile(points, MPI_COMM_SELF, x, 1.)
             << std::endl;
-  std::cout << "Outside of the slab: "
-            << std::isnan(Observables::mass_quantile<2>(
-                 points, x, 0.5, {Point<2>::unit_vector(1), 5., 6.}))
-            << std::endl;
+  std::cout
+    << "Outside of the slab: "
+    << std::isnan(Observables::mass_quantile<2>(
+         points, MPI_COMM_SELF, x, 0.5, {Point<2>::unit_vector(1), 5., 6.}))
+    << std::endl;
 }
 
 

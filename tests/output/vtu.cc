@@ -76,7 +76,7 @@ write_points(const Output::OutputParameters &parameters)
 {
   const SimpleLaw<3>      law(1500., {"strain"});
   const Output::Laws<3>   laws{&law};
-  Output::PointsOutput<3> output(parameters, laws);
+  Output::PointsOutput<3> output(parameters, laws, MPI_COMM_SELF);
   Points::PointArrays<3>  points;
   points.resize(70000, 1);
   output.write(0., 0, points);
@@ -112,7 +112,7 @@ write_grid(const Output::OutputParameters &parameters)
   for (unsigned int d = 0; d < dim; ++d)
     corner[d] = 1.;
   const Body<dim>         body(Point<dim>(), corner, subdivisions);
-  Output::GridOutput<dim> output(parameters);
+  Output::GridOutput<dim> output(parameters, MPI_COMM_SELF);
   output.write(
     0.25,
     3,
@@ -141,7 +141,7 @@ try_fields(const std::vector<std::string> &fields)
   parameters.point_fields = fields;
   try
     {
-      const Output::PointsOutput<2> output(parameters, {&law});
+      const Output::PointsOutput<2> output(parameters, {&law}, MPI_COMM_SELF);
       for (const auto &name : output.field_names())
         std::cout << "  " << name << std::endl;
     }

@@ -29,7 +29,8 @@ void
 test()
 {
   const Mesh::BackgroundMesh<dim> mesh(JitteredBox<dim>(3), "");
-  Points::MaterialPoints<dim>     points(mesh, {"first", "second"});
+  const Mesh::Partition<dim>      partition({}, mesh, MPI_COMM_SELF);
+  Points::MaterialPoints<dim>     points(mesh, partition, {"first", "second"});
   std::vector<Points::Seed<dim>>  seeds;
   for (unsigned int i = 0; i < 500; ++i)
     {

@@ -53,7 +53,8 @@ test()
     Transfer::move_points(
       test.mesh, fields, block, time_step, pic_factor, points);
     n_lost +=
-      Transfer::relocate(test.mesh, points, block) != Transfer::no_point;
+      Transfer::relocate(test.mesh, test.partition, points, block).lost_point !=
+      Transfer::no_point;
     for (unsigned int p = block.begin; p < block.end; ++p)
       {
         const auto values =

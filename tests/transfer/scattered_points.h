@@ -18,6 +18,7 @@ namespace Test
   struct ScatteredPoints
   {
     const Mesh::BackgroundMesh<dim> mesh;
+    const Mesh::Partition<dim>      partition;
     Points::MaterialPoints<dim>     points;
     Grid::NodalFields<dim>          fields;
     Transfer::PointBlock<dim>       block;
@@ -25,8 +26,9 @@ namespace Test
     explicit ScatteredPoints(
       const std::function<Tensor<1, dim>(const Point<dim> &)> &velocity)
       : mesh(JitteredBox<dim>(4), "")
-      , points(mesh, {})
-      , fields(mesh)
+      , partition({}, mesh, MPI_COMM_SELF)
+      , points(mesh, partition, {})
+      , fields(mesh, partition)
     {
       std::vector<Points::Seed<dim>> seeds;
       for (unsigned int i = 0; i < 3000; ++i)
@@ -67,7 +69,7 @@ namespace Test
     {
       fields.clear_cells();
       for_each_block([&] {
-        Transfer::relocate(mesh, points.arrays(), block);
+        Transfer::relocate(mesh, partition, points.arrays(), block);
         Transfer::add_mass_and_momentum(points.arrays(), block, fields);
         Transfer::add_stress(points.arrays(), block, fields);
       });

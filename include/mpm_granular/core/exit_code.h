@@ -15,9 +15,9 @@ namespace mpm_granular::Core
   };
 
   /**
-   * Calls @p program. If an exception leaves it, writes one message to the
-   * standard error of the first MPI process and returns the exit code that
-   * belongs to it.
+   * Calls @p program. If an exception leaves it, writes one message to standard
+   * error and returns the exit code that belongs to it. If that happens on some
+   * of the MPI processes only, all of them are ended with that exit code.
    */
   ExitCode
   run_and_report(const std::function<ExitCode()> &program);

@@ -4,6 +4,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <mpm_granular/grid/cell_sums.h>
+#include <mpm_granular/grid/shared_nodes.h>
 #include <mpm_granular/mesh/background_mesh.h>
 
 #include <vector>
@@ -35,13 +36,18 @@ namespace mpm_granular::Grid
    * points, and their nodes. Both are stored compactly, in the order in which
    * points meet them; a domain with more empty cells costs nothing here.
    *
+   * On several MPI ranks, each has the cells and nodes around its own points.
+   * Cells keep the contributions of these points; nodes get the sums over all
+   * ranks, so the member functions that sum over ranks are collective.
+   *
    * "Slot" is the place of a cell or node in the compact arrays.
    */
   template <int dim>
   class NodalFields
   {
   public:
-    explicit NodalFields(const Mesh::BackgroundMesh<dim> &mesh);
+    NodalFields(const Mesh::BackgroundMesh<dim> &mesh,
+                const Mesh::Partition<dim>      &partition);
 
     /// Forgets all active cells and their sums; nodes stay until
     /// gather_nodes().
@@ -82,23 +88,27 @@ namespace mpm_granular::Grid
     }
 
     /// Makes the nodes of the active cells the active nodes and sums their
-    /// mass, momentum and internal force from the cells (T9).
+    /// mass, momentum and internal force from the cells (T9) of all ranks.
     void
     gather_nodes();
 
-    /// Sets the internal forces of the nodes from the stresses of the cells:
-    /// for stresses that are known only after the masses.
+    /// Sets the internal forces of the nodes from the stresses of the cells of
+    /// all ranks: for stresses that are known only after the masses.
     void
     gather_forces();
 
     /**
-     * Adds (sampled consistent mass matrix) . @p field to @p result (T16).
+     * Adds (sampled consistent mass matrix) . @p field to @p result (T16), over
+     * all ranks.
      *
      * @param field one vector per active node, by slot.
      */
     void
     add_mass_times(const std::vector<dealii::Tensor<1, dim>> &field,
-                   std::vector<dealii::Tensor<1, dim>>       &result) const;
+                   std::vector<dealii::Tensor<1, dim>>       &result);
+
+    /// Sums over the ranks at the active nodes.
+    SharedNodes<dim> shared;
 
     unsigned int
     n_active_nodes() const
@@ -143,10 +153,14 @@ namespace mpm_granular::Grid
   private:
     void
     activate_nodes();
+    void
+    add_forces();
 
     const Mesh::BackgroundMesh<dim> &mesh;
     std::vector<unsigned int>        cell_slot; ///< by flat cell
     std::vector<unsigned int>        node_slot; ///< by node
+    std::vector<double>              packed; ///< of nodes, for sums over ranks
+    std::vector<dealii::Tensor<1, dim>> partial; ///< this rank's part of a sum
   };
 } // namespace mpm_granular::Grid
 

@@ -77,7 +77,8 @@ namespace mpm_granular::Momentum
     void
     remap_velocity(Grid::NodalFields<dim> &fields, const StepInput<dim> &step);
 
-    /// Work of the step, after all velocities are known.
+    /// Work of the step, after all velocities are known: this rank's part of a
+    /// sum over the ranks.
     GridWork
     work(const Grid::NodalFields<dim> &fields, const StepInput<dim> &step);
 

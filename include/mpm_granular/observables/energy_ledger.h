@@ -1,6 +1,8 @@
 #ifndef mpm_granular_observables_energy_ledger_h
 #define mpm_granular_observables_energy_ledger_h
 
+#include <deal.II/base/mpi.h>
+
 namespace mpm_granular::Observables
 {
   /**
@@ -13,6 +15,19 @@ namespace mpm_granular::Observables
     double boundary_work = 0; ///< done on the body by constraints and tractions
     double transfer_loss = 0; ///< lost between points and grid
     double filter_loss   = 0; ///< taken by the pressure filter
+
+    /// The sum over the ranks.
+    EnergyLedger
+    summed(const MPI_Comm communicator) const
+    {
+      EnergyLedger total = *this;
+      for (double *const part : {&total.dissipated,
+                                 &total.boundary_work,
+                                 &total.transfer_loss,
+                                 &total.filter_loss})
+        *part = dealii::Utilities::MPI::sum(*part, communicator);
+      return total;
+    }
   };
 } // namespace mpm_granular::Observables
 

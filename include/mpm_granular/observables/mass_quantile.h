@@ -1,6 +1,7 @@
 #ifndef mpm_granular_observables_mass_quantile_h
 #define mpm_granular_observables_mass_quantile_h
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/tensor.h>
 
 #include <mpm_granular/points/point_arrays.h>
@@ -25,7 +26,8 @@ namespace mpm_granular::Observables
    * Found by histograms, each refining the bin of the one before: it needs sums
    * over the points only, no order and no copies.
    *
-   * @param points the points.
+   * @param points the points of this rank.
+   * @param communicator of the ranks that hold points; collective.
    * @param direction a unit vector.
    * @param fraction of the mass, above 0 and up to 1; 1e-9 of it may be missing,
    *   so that the round-off of sums does not matter.
@@ -36,6 +38,7 @@ namespace mpm_granular::Observables
   template <int dim>
   double
   mass_quantile(const Points::PointArrays<dim> &points,
+                const MPI_Comm                  communicator,
                 const dealii::Tensor<1, dim>   &direction,
                 const double                    fraction,
                 const Slab<dim>                &slab = {});

@@ -11,7 +11,9 @@
 
 namespace mpm_granular::Observables
 {
-  /// All that an observable may look at, at one instant.
+  /// All that an observable may look at, at one instant. Points, lost points
+  /// and ledger are this rank's: what belongs to the whole body is the sum, the
+  /// maximum or the like over all ranks.
   template <int dim>
   struct Snapshot
   {
@@ -27,6 +29,7 @@ namespace mpm_granular::Observables
     const std::vector<const Materials::ConstitutiveLaw<dim> *>
                        &laws; ///< by material
     const EnergyLedger &ledger;
+    const MPI_Comm      communicator;
   };
 } // namespace mpm_granular::Observables
 

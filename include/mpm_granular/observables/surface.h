@@ -1,6 +1,8 @@
 #ifndef mpm_granular_observables_surface_h
 #define mpm_granular_observables_surface_h
 
+#include <deal.II/base/mpi.h>
+
 #include <mpm_granular/observables/frame.h>
 #include <mpm_granular/points/point_arrays.h>
 
@@ -37,13 +39,15 @@ namespace mpm_granular::Observables
    * that are as deep as the bin is wide, so that the area is the volume below
    * the surface over the depth of the mesh.
    *
-   * @param points the points.
+   * @param points the points of this rank.
+   * @param communicator of the ranks that hold points; collective.
    * @param frame where along, up and across are.
    * @param bin_width [m].
    */
   template <int dim>
   Surface
   find_surface(const Points::PointArrays<dim> &points,
+               const MPI_Comm                  communicator,
                const Frame<dim>               &frame,
                const double                    bin_width);
 } // namespace mpm_granular::Observables

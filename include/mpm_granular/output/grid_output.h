@@ -15,15 +15,16 @@ namespace mpm_granular::Output
   {
   public:
     /// @param parameters where to, how compressed.
-    explicit GridOutput(const OutputParameters &parameters);
+    /// @param communicator of the ranks that call write(); the first one writes.
+    GridOutput(const OutputParameters &parameters, const MPI_Comm communicator);
 
     /**
-     * Writes the next file.
+     * Writes the next file. Collective.
      *
      * @param time [s].
      * @param step number of steps done.
      * @param mesh the background mesh.
-     * @param fields values by node (DoF index of mesh.dof_handler()), say
+     * @param fields only the first rank's are used; values by node (DoF index of mesh.dof_handler()), say
      *   `{"mass", "kg", 1, [&](auto node, auto) { return mass[node]; }}`.
      */
     void
@@ -34,6 +35,7 @@ namespace mpm_granular::Output
 
   private:
     OutputParameters parameters;
+    bool             is_first_rank;
     VtuSeries        series;
   };
 } // namespace mpm_granular::Output

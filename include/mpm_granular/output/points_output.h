@@ -32,16 +32,19 @@ namespace mpm_granular::Output
     /**
      * @param parameters which fields, how compressed.
      * @param laws by material index; copied, but the laws must live as long.
+     * @param communicator of the ranks that hold points.
      * @throws InputError if a field is asked for that does not exist.
      */
-    PointsOutput(const OutputParameters &parameters, const Laws<dim> &laws);
+    PointsOutput(const OutputParameters &parameters,
+                 const Laws<dim>        &laws,
+                 const MPI_Comm          communicator);
 
     /**
-     * Writes the next file.
+     * Writes the next file. Collective.
      *
      * @param time [s].
      * @param step number of steps done.
-     * @param points the points now.
+     * @param points the points of this rank now.
      */
     void
     write(const double                    time,
@@ -69,6 +72,7 @@ namespace mpm_granular::Output
 
     OutputParameters parameters;
     Laws<dim>        laws;
+    MPI_Comm         communicator;
     VtuSeries        series;
   };
 } // namespace mpm_granular::Output

@@ -46,13 +46,14 @@ namespace mpm_granular::Output
 
     std::vector<Material> materials;
 
-    double end_time        = unknown; ///< [s]
-    double stable_dt       = unknown; ///< stability limit [s]
-    double chosen_dt       = unknown; ///< [s]
-    double gravity         = unknown; ///< [m/s^2]
-    double n_files         = unknown; ///< VTU files of points
-    double bytes_per_file  = unknown;
-    double bytes_in_memory = unknown;
+    double       end_time        = unknown; ///< [s]
+    double       stable_dt       = unknown; ///< stability limit [s]
+    double       chosen_dt       = unknown; ///< [s]
+    double       gravity         = unknown; ///< [m/s^2]
+    double       n_files         = unknown; ///< VTU files of points
+    double       bytes_per_file  = unknown;
+    double       bytes_in_memory = unknown; ///< on all ranks
+    unsigned int n_ranks         = 1;
 
     /// Million point-steps a second, to estimate the time: measured, or the
     /// default of Release builds on one core of an ordinary machine.

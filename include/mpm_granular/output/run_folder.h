@@ -1,6 +1,8 @@
 #ifndef mpm_granular_output_run_folder_h
 #define mpm_granular_output_run_folder_h
 
+#include <deal.II/base/mpi.h>
+
 #include <functional>
 #include <ostream>
 #include <string>
@@ -20,6 +22,15 @@ namespace mpm_granular::Output
   void
   write_atomically(const std::string                         &path,
                    const std::function<void(std::ostream &)> &write);
+
+  /**
+   * Calls @p action on the first rank, while the others wait. Collective.
+   *
+   * @throws InputError, ComputationError on all ranks if it throws one.
+   */
+  void
+  on_first_rank(const MPI_Comm               communicator,
+                const std::function<void()> &action);
 
   /**
    * The folder all files of a run go to. It belongs to one run: files of an

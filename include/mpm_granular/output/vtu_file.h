@@ -2,6 +2,7 @@
 #define mpm_granular_output_vtu_file_h
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 
 #include <array>
@@ -49,15 +50,18 @@ namespace mpm_granular::Output
    * Writes a VTU file with the functions of deal.II, in pieces of at most
    * 65,536 items, so that the memory this takes does not grow with the run.
    *
-   * @param out where to.
+   * @param out where to; only the first rank's is used.
    * @param flags compression, time and the like.
-   * @param contents what.
+   * @param contents what this rank adds.
+   * @param communicator of the ranks whose contents make up the file;
+   *   collective. The first rank asks them one by one for their pieces.
    */
   template <int item_dim, int dim>
   void
   write_vtu(std::ostream                        &out,
             const dealii::DataOutBase::VtkFlags &flags,
-            const VtuContents<item_dim, dim>    &contents);
+            const VtuContents<item_dim, dim>    &contents,
+            const MPI_Comm                       communicator);
 
   /**
    * A series of VTU files over time, `NAME/NAME-00000.vtu` and so on, with the
@@ -69,14 +73,19 @@ namespace mpm_granular::Output
     /**
      * @param folder the run's folder; it is looked at at the first write only.
      * @param name name of the series.
+     * @param communicator of the ranks that call add(); the first one writes.
      */
-    VtuSeries(const std::string &folder, const std::string &name);
+    VtuSeries(const std::string &folder,
+              const std::string &name,
+              const MPI_Comm     communicator);
 
     /**
-     * Writes the next file and the record, each atomically.
+     * Writes the next file and the record, each atomically. Collective.
      *
      * @param time [s].
-     * @param write writes the VTU file to the stream it is given.
+     * @param write writes the VTU file to the stream it is given; called on all
+     *   ranks.
+     * @throws ComputationError on all ranks if it cannot be written.
      */
     void
     add(const double time, const std::function<void(std::ostream &)> &write);
@@ -90,6 +99,7 @@ namespace mpm_granular::Output
   private:
     std::string                                 folder;
     std::string                                 name;
+    MPI_Comm                                    communicator;
     std::vector<std::pair<double, std::string>> times_and_names;
   };
 } // namespace mpm_granular::Output

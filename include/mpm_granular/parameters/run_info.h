@@ -1,6 +1,8 @@
 #ifndef mpm_granular_parameters_run_info_h
 #define mpm_granular_parameters_run_info_h
 
+#include <deal.II/base/mpi.h>
+
 #include <string>
 
 namespace mpm_granular::Parameters
@@ -23,6 +25,9 @@ namespace mpm_granular::Parameters
 
     /// Whether to stop after the pre-flight report; nothing is written.
     bool check_only = false;
+
+    /// The MPI ranks that share the run.
+    MPI_Comm communicator = MPI_COMM_WORLD;
   };
 } // namespace mpm_granular::Parameters
 

@@ -4,6 +4,7 @@
 #include <deal.II/particles/particle_handler.h>
 
 #include <mpm_granular/mesh/background_mesh.h>
+#include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/points/point_arrays.h>
 #include <mpm_granular/points/point_layout.h>
 
@@ -25,12 +26,15 @@ namespace mpm_granular::Points
   {
   public:
     /**
+     * @param partition says which points this rank holds; must live as long.
      * @param history_names history slots of the laws, over all materials.
      */
     MaterialPoints(const Mesh::BackgroundMesh<dim> &mesh,
+                   const Mesh::Partition<dim>      &partition,
                    std::vector<std::string>         history_names);
 
-    /// Creates points of a material in the handler, at rest and without stress.
+    /// Creates points of a material in the handler, at rest and without stress:
+    /// those in cells of this rank. Ids count all seeds.
     /// @param density mass per initial volume [kg/m^3].
     void
     insert(const std::vector<Seed<dim>> &seeds,
@@ -80,6 +84,16 @@ namespace mpm_granular::Points
     void
     order();
 
+    /// Sends points that are in cells of other ranks there, and orders.
+    /// Collective.
+    /// @return how many this rank sent.
+    std::size_t
+    migrate();
+
+    /// The number of points in each cell, over all ranks. Collective.
+    std::vector<std::uint32_t>
+    count_by_cell() const;
+
     /// Removes the points whose cell is no_cell.
     /// @return how many there were.
     std::size_t
@@ -90,13 +104,12 @@ namespace mpm_granular::Points
     memory_consumption() const;
 
   private:
-    void
-    permute(const std::vector<unsigned int> &permutation);
-
     const Mesh::BackgroundMesh<dim>        &mesh;
+    const Mesh::Partition<dim>             &partition;
     std::vector<std::string>                names;
     PointArrays<dim>                        working_set;
     dealii::Particles::ParticleHandler<dim> particles;
+    dealii::types::particle_index           n_inserted = 0; ///< on all ranks
     std::vector<unsigned int>               n_in_cell; ///< zero between calls
   };
 } // namespace mpm_granular::Points

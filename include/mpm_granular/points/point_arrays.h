@@ -58,6 +58,10 @@ namespace mpm_granular::Points
     void
     resize(const std::size_t n_points, const unsigned int n_history);
 
+    /// Keeps the points that are listed, in the order of the list.
+    void
+    keep(const std::vector<unsigned int> &list);
+
     /// The position of point @p index.
     dealii::Point<dim>
     location(const std::size_t index) const

@@ -1,8 +1,10 @@
 #ifndef mpm_granular_solver_mpm_solver_h
 #define mpm_granular_solver_mpm_solver_h
 
+#include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/observables/snapshot.h>
 #include <mpm_granular/points/material_points.h>
+#include <mpm_granular/solver/agreement.h>
 #include <mpm_granular/solver/run_parameters.h>
 #include <mpm_granular/solver/sweep.h>
 
@@ -15,6 +17,9 @@ namespace mpm_granular::Solver
    * The material point method: a mesh, points on it, and the time step that
    * advances them (section 2 of doc/theory.md). It computes; what is written
    * and when is up to Run.
+   *
+   * Each MPI rank has the points in its part of the mesh. All member functions
+   * that are not const are collective.
    */
   template <int dim>
   class MPMSolver
@@ -25,10 +30,12 @@ namespace mpm_granular::Solver
      *
      * @param parameters must live as long.
      * @param input_file the parameter file that file names are relative to.
+     * @param communicator of the ranks that share the computation.
      * @throws InputError where the parameters cannot be right.
      */
     MPMSolver(const RunParameters<dim> &parameters,
-              const std::string        &input_file);
+              const std::string        &input_file,
+              const MPI_Comm            communicator);
 
     /// Advances by one time step, which does not pass @p next_event [s].
     /// @throws ComputationError if the result makes no sense.
@@ -45,6 +52,7 @@ namespace mpm_granular::Solver
       return mesh;
     }
 
+    /// Those of this rank.
     const Points::MaterialPoints<dim> &
     material_points() const
     {
@@ -82,20 +90,43 @@ namespace mpm_granular::Solver
     }
 
     double
-    kinetic_energy() const ///< of the points [J], in 2D [J/m]
+    kinetic_energy() const ///< of all points [J], in 2D [J/m]
     {
-      return motion.kinetic_energy;
+      return agreement.kinetic_energy;
+    }
+
+    std::uint64_t
+    n_points() const ///< on all ranks
+    {
+      return agreement.n_points;
     }
 
     std::size_t
-    n_lost_points() const
+    n_lost_points() const ///< by this rank
     {
       return n_lost;
     }
 
-    /// Limits of the time step for the present active cells.
-    Time::StepLimits
-    step_limits() const;
+    /// Limits of the time step for the present active cells of all ranks.
+    const Time::StepLimits &
+    step_limits() const
+    {
+      return agreement.limits;
+    }
+
+    /// How often the cells were shared out anew.
+    unsigned int
+    n_redistributions() const
+    {
+      return n_balanced;
+    }
+
+    /// The largest number of points of a rank over the mean, less one.
+    double
+    imbalance() const
+    {
+      return agreement.imbalance;
+    }
 
     /// Remarks on the input that do not stop a run.
     const std::vector<std::string> &
@@ -104,7 +135,7 @@ namespace mpm_granular::Solver
       return remarks;
     }
 
-    /// Memory of all that the computation holds [bytes].
+    /// Memory of all that the computation holds on this rank [bytes].
     std::size_t
     memory_consumption() const;
 
@@ -125,10 +156,21 @@ namespace mpm_granular::Solver
     void
     check_points(const SweepResult &sweep_result);
     void
-    keep_order(const SweepResult &sweep_result);
+    keep_order();
+    void
+    agree_on_state();
+    void
+    balance();
+
+    /// Calls @p action, which may fail on this rank alone; the error is kept
+    /// for agree_on_state().
+    template <class Action>
+    void
+    on_this_rank(Action &&action);
 
     const RunParameters<dim>                            &parameters;
     Mesh::BackgroundMesh<dim>                            mesh;
+    Mesh::Partition<dim>                                 partition;
     std::vector<const Materials::ConstitutiveLaw<dim> *> laws;
     Points::MaterialPoints<dim>                          points;
     Grid::NodalFields<dim>                               fields;
@@ -153,7 +195,14 @@ namespace mpm_granular::Solver
     double                    since_filter    = 0.; ///< of pressures [s]
     unsigned int              n_steps         = 0;
     std::size_t               n_lost          = 0;
+    std::size_t               n_runs          = 0; ///< of the last sweep
     std::size_t               n_runs_in_order = 0;
+
+    Agreement    agreement;
+    std::string  error;                   ///< of this rank; empty if none
+    bool         is_out_of_reach = false; ///< a point of this rank
+    unsigned int n_balanced      = 0;
+    unsigned int last_balance    = 0; ///< step
   };
 } // namespace mpm_granular::Solver
 

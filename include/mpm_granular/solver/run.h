@@ -36,7 +36,7 @@ namespace mpm_granular::Solver
     /// @throws InputError where the input cannot be right.
     Run(RunParameters<dim> &parameters, const Parameters::RunInfo &info);
 
-    /// What the run will be: sizes, limits, estimates, warnings.
+    /// What the run will be: sizes, limits, estimates, warnings. Collective.
     Output::Preflight
     preflight() const;
 
@@ -67,6 +67,7 @@ namespace mpm_granular::Solver
 
     RunParameters<dim>       &parameters;
     const Parameters::RunInfo info;
+    const bool                is_first_rank;
     MPMSolver<dim>            solver;
     Output::RunFolder         folder;
     Output::Console           console;

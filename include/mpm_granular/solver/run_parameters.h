@@ -4,6 +4,7 @@
 #include <mpm_granular/boundary/boundary_manager.h>
 #include <mpm_granular/materials/constitutive_law.h>
 #include <mpm_granular/mesh/mesh_source.h>
+#include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/momentum/body_force.h>
 #include <mpm_granular/momentum/momentum_balance.h>
 #include <mpm_granular/observables/observables_table.h>
@@ -51,6 +52,7 @@ namespace mpm_granular::Solver
     Transfer::TransferParameters                 transfer;
     Momentum::MomentumParameters<dim>            momentum;
     Time::StepParameters                         time_step;
+    Mesh::PartitionParameters                    partition;
     Output::OutputParameters                     output;
     Observables::ObservablesTable<dim>           observables;
 

@@ -16,10 +16,10 @@ namespace mpm_granular::Solver
   /// What a sweep over the points found.
   struct SweepResult
   {
-    Points::Motion motion;                          ///< after the step
-    double         dissipated = 0.;                 ///< by the laws [J]
-    unsigned int   lost_point = Transfer::no_point; ///< the first, or no_point
-    std::size_t    n_runs     = 0; ///< of points in the same cell
+    Points::Motion       motion;          ///< after the step
+    double               dissipated = 0.; ///< by the laws [J]
+    Transfer::Relocation relocation;      ///< what became of the points' cells
+    std::size_t          n_runs = 0;      ///< of points in the same cell
   };
 
   /**
@@ -34,6 +34,7 @@ namespace mpm_granular::Solver
   public:
     /// @param laws by material index; must live as long.
     Sweep(const Mesh::BackgroundMesh<dim>                            &mesh,
+          const Mesh::Partition<dim>                                 &partition,
           const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws);
 
     /// Sums the points as they are to the cells: before the first step, and
@@ -92,6 +93,7 @@ namespace mpm_granular::Solver
     update_stresses(Points::PointArrays<dim> &points, const double time_step);
 
     const Mesh::BackgroundMesh<dim>                            &mesh;
+    const Mesh::Partition<dim>                                 &partition;
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws;
     Transfer::PointBlock<dim>                                   block;
     Transfer::PressureFilter<dim>                               filter;

@@ -3,6 +3,7 @@
 
 #include <mpm_granular/grid/nodal_fields.h>
 #include <mpm_granular/mesh/background_mesh.h>
+#include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/transfer/point_block.h>
 
 #include <limits>
@@ -33,16 +34,25 @@ namespace mpm_granular::Transfer
   inline constexpr unsigned int no_point =
     std::numeric_limits<unsigned int>::max();
 
-  /**
-   * Finds the host cells of the block's points at their new places and their
-   * shape values there.
-   *
-   * @return the first point that has left the mesh (its cell is Mesh::no_cell),
-   *   or no_point.
-   */
+  /// What relocate() found.
+  struct Relocation
+  {
+    /// The first point that has left the mesh (its cell is Mesh::no_cell).
+    unsigned int lost_point = no_point;
+
+    /// Whether a point has come to a cell that is out of this rank's reach.
+    bool is_out_of_reach = false;
+
+    void
+    operator+=(const Relocation &other);
+  };
+
+  /// Finds the host cells of the block's points at their new places and their
+  /// shape values there.
   template <int dim>
-  unsigned int
+  Relocation
   relocate(const Mesh::BackgroundMesh<dim> &mesh,
+           const Mesh::Partition<dim>      &partition,
            Points::PointArrays<dim>        &points,
            PointBlock<dim>                 &block);
 } // namespace mpm_granular::Transfer

@@ -7,6 +7,7 @@
 #include <mpm_granular/grid/nodal_fields.h>
 #include <mpm_granular/points/point_arrays.h>
 
+#include <array>
 #include <vector>
 
 namespace mpm_granular::Transfer
@@ -39,9 +40,9 @@ namespace mpm_granular::Transfer
         const Points::PointArrays<dim> &points,
         const Points::Run               run);
 
-    /// Makes means and gradients of what has been added.
+    /// Makes means and gradients of what has been added on all ranks.
     void
-    find_gradients(const Grid::NodalFields<dim> &fields);
+    find_gradients(Grid::NodalFields<dim> &fields);
 
     /// The smooth pressure [Pa], 0 or more, at the points of a run: entry i is
     /// that of point run.begin + i. Meaningful for points in contact.
@@ -49,23 +50,31 @@ namespace mpm_granular::Transfer
     evaluate(const Grid::NodalFields<dim>   &fields,
              const Points::PointArrays<dim> &points,
              const Points::Run               run,
-             std::vector<double>            &pressure) const;
+             std::vector<double>            &smooth_pressure) const;
 
   private:
-    /// Sums over the points in contact around a node, weighted by N_ip V_p;
-    /// then their means.
-    struct Node
+    /// Of a node, sums over the points in contact around it, weighted by N_ip
+    /// V_p; then their means, but for the volume.
+    enum Mean
     {
-      double                 volume   = 0.;        ///< [m^3], in 2D [m^2]
-      double                 pressure = 0.;        ///< [Pa]
-      dealii::Point<dim>     center;               ///< [m]
-      dealii::Tensor<1, dim> gradient;             ///< of pressure [Pa/m]
-      double                 gradient_volume = 0.; ///< of the cells in gradient
+      volume,   ///< [m^3], in 2D [m^2]
+      pressure, ///< [Pa]
+      center,   ///< [m], dim numbers
+      n_means = center + dim
     };
 
-    const Mesh::BackgroundMesh<dim> &mesh;
-    std::vector<Node>                nodes;       ///< by node slot
-    std::vector<double>              cell_volume; ///< in contact, by cell slot
+    /// Of a node, the mean gradient of the pressure in the cells around it.
+    enum Slope
+    {
+      weight,   ///< volume in contact [m^3], in 2D [m^2]
+      gradient, ///< [Pa/m], dim numbers
+      n_slopes = gradient + dim
+    };
+
+    const Mesh::BackgroundMesh<dim>          &mesh;
+    std::vector<std::array<double, n_means>>  means;  ///< by node slot
+    std::vector<std::array<double, n_slopes>> slopes; ///< by node slot
+    std::vector<double> cell_volume; ///< in contact, by cell slot
   };
 } // namespace mpm_granular::Transfer
 

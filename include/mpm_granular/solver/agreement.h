@@ -1,0 +1,45 @@
+#ifndef mpm_granular_solver_agreement_h
+#define mpm_granular_solver_agreement_h
+
+#include <deal.II/base/mpi.h>
+
+#include <mpm_granular/points/motion.h>
+#include <mpm_granular/time/step_control.h>
+
+#include <cstdint>
+#include <string>
+
+namespace mpm_granular::Solver
+{
+  /// What a rank has to tell the others after a step.
+  struct RankReport
+  {
+    double         critical_step;  ///< of its active cells [s]
+    double         least_altitude; ///< of its active cells [m]
+    Points::Motion motion;         ///< of its points
+    std::uint64_t  n_points;
+    bool           is_out_of_reach; ///< a point has to go to another rank
+    std::string    error;           ///< why it cannot go on; empty if it can
+  };
+
+  /// What all ranks know then.
+  struct Agreement
+  {
+    Time::StepLimits limits;
+    double           kinetic_energy = 0.; ///< [J], in 2D [J/m]
+    std::uint64_t    n_points       = 0;  ///< on all ranks
+    double           imbalance      = 0.; ///< most points over the mean, less 1
+    bool             is_out_of_reach = false;
+  };
+
+  /**
+   * Brings the reports of all ranks together, in one message.
+   *
+   * @throws ComputationError on all ranks, with the message of the first, if
+   *   there is an error on any.
+   */
+  Agreement
+  agree(const RankReport &report, const MPI_Comm communicator);
+} // namespace mpm_granular::Solver
+
+#endif

@@ -1,0 +1,147 @@
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+#include <mpm_granular/mesh/partition.h>
+
+#include <algorithm>
+#include <map>
+
+namespace mpm_granular::Mesh
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Ranks = std::vector<std::uint32_t>;
+
+    /// Adds ranks to a short list without repetition.
+    void
+    insert(Ranks &list, const Ranks &more)
+    {
+      for (const auto rank : more)
+        if (std::find(list.begin(), list.end(), rank) == list.end())
+          list.push_back(rank);
+    }
+  } // namespace
+
+  void
+  PartitionParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Partition",
+                      method,
+                      "How the cells are shared out among MPI processes, with "
+                      "equal numbers of points: in pieces of a space-filling "
+                      "curve, or by METIS, whose pieces have shorter common "
+                      "surfaces but take longer to find.",
+                      Patterns::Selection("space-filling curve|METIS"));
+    prm.add_parameter("Largest imbalance",
+                      largest_imbalance,
+                      "The cells are shared out anew when the process with the "
+                      "most points has this part more than the mean. "
+                      "Units: none.",
+                      Patterns::Double(0.));
+  }
+
+  template <int dim>
+  Partition<dim>::Partition(const PartitionParameters &parameters,
+                            const BackgroundMesh<dim> &mesh,
+                            const MPI_Comm             communicator)
+    : communicator(communicator)
+    , rank(Utilities::MPI::this_mpi_process(communicator))
+    , n_ranks(Utilities::MPI::n_mpi_processes(communicator))
+    , largest_imbalance(parameters.largest_imbalance)
+    , method(parameters.method)
+    , mesh(mesh)
+    , owners(mesh.n_cells(), 0)
+    , reachable(mesh.n_cells(), true)
+  {
+    distribute(std::vector<std::uint32_t>(mesh.n_cells(), 1));
+  }
+
+  template <int dim>
+  void
+  Partition<dim>::distribute(const std::vector<std::uint32_t> &n_points)
+  {
+    AssertDimension(n_points.size(), mesh.n_cells());
+    if (n_ranks == 1)
+      return;
+    if (method == "METIS")
+      cut_graph(n_points);
+    else
+      cut_curve(n_points);
+    find_neighbors();
+  }
+
+  template <int dim>
+  void
+  Partition<dim>::cut_curve(const std::vector<std::uint32_t> &n_points)
+  {
+    // Cells are numbered along the curve. A cell goes to the rank in whose
+    // share of all points the middle of its own points falls.
+    std::uint64_t total = 0;
+    for (const auto n : n_points)
+      total += n;
+    std::uint64_t before = 0;
+    for (unsigned int cell = 0; cell < n_points.size(); ++cell)
+      {
+        const double middle = before + 0.5 * n_points[cell];
+        owners[cell] =
+          std::min<std::uint32_t>(middle / total * n_ranks, n_ranks - 1);
+        before += n_points[cell];
+      }
+  }
+
+  template <int dim>
+  void
+  Partition<dim>::cut_graph(const std::vector<std::uint32_t> &n_points)
+  {
+    DynamicSparsityPattern connections(mesh.n_cells());
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      for (const unsigned int neighbor : mesh.cell(cell).neighbor)
+        if (neighbor != no_cell)
+          connections.add(cell, neighbor);
+    SparsityPattern graph;
+    graph.copy_from(connections);
+    SparsityTools::partition(
+      graph, n_points, n_ranks, owners, SparsityTools::Partitioner::metis);
+  }
+
+  template <int dim>
+  void
+  Partition<dim>::find_neighbors()
+  {
+    // The ranks that own a cell around each node; then, those that own or see
+    // each cell; then, those that may have points around each node.
+    std::vector<Ranks> around(mesh.n_nodes());
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      for (const unsigned int node : mesh.cell(cell).node)
+        insert(around[node], {owners[cell]});
+
+    std::vector<Ranks> meeting(mesh.n_nodes());
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      {
+        Ranks seeing;
+        for (const unsigned int node : mesh.cell(cell).node)
+          insert(seeing, around[node]);
+        reachable[cell] =
+          std::find(seeing.begin(), seeing.end(), rank) != seeing.end();
+        for (const unsigned int node : mesh.cell(cell).node)
+          insert(meeting[node], seeing);
+      }
+
+    std::map<unsigned int, std::vector<unsigned int>> nodes_of_rank;
+    for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
+      if (std::find(meeting[node].begin(), meeting[node].end(), rank) !=
+          meeting[node].end())
+        for (const auto other : meeting[node])
+          if (other != rank)
+            nodes_of_rank[other].push_back(node);
+    all_neighbors.clear();
+    for (auto &[other, nodes] : nodes_of_rank)
+      all_neighbors.push_back({other, std::move(nodes)});
+  }
+
+  template class Partition<2>;
+  template class Partition<3>;
+} // namespace mpm_granular::Mesh
