@@ -11,7 +11,7 @@ namespace mpm_granular::Momentum
 
   template <int dim>
   void
-  LumpedMass<dim>::assemble(const Grid::NodalFields<dim> &new_fields)
+  LumpedMass<dim>::assemble(Grid::NodalFields<dim> &new_fields)
   {
     fields = &new_fields;
   }

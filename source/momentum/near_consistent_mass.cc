@@ -1,8 +1,10 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/block_vector.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/vector_memory.templates.h>
 
 #include <mpm_granular/momentum/near_consistent_mass.h>
 
@@ -18,39 +20,80 @@ namespace mpm_granular::Momentum
     /// number of a mass matrix is small, some ten are usual.
     constexpr unsigned int max_iterations = 1000;
 
-    /// One block a component, one entry a node of the mesh.
-    using NodeVector = BlockVector<double>;
-
-    /// A field of the active nodes as one of all nodes, zero elsewhere.
+    /**
+     * A field of the active nodes, zero elsewhere: one block a component, one
+     * entry a node of the mesh. Ranks that share a node have equal entries;
+     * sums over the nodes count it once.
+     */
     template <int dim>
-    NodeVector
-    on_all_nodes(const NodalVectors<dim>      &field,
+    class NodeVector : public BlockVector<double>
+    {
+    public:
+      NodeVector() = default;
+
+      NodeVector(const NodalVectors<dim>      &field,
                  const Grid::NodalFields<dim> &fields,
                  const unsigned int            n_nodes)
-    {
-      NodeVector result(dim, n_nodes);
-      for (unsigned int slot = 0; slot < field.size(); ++slot)
-        for (unsigned int d = 0; d < dim; ++d)
-          result.block(d)[fields.active_nodes[slot]] = field[slot][d];
-      return result;
-    }
+        : BlockVector<double>(dim, n_nodes)
+        , fields(&fields)
+      {
+        for (unsigned int slot = 0; slot < field.size(); ++slot)
+          for (unsigned int d = 0; d < dim; ++d)
+            block(d)[fields.active_nodes[slot]] = field[slot][d];
+      }
 
-    template <int dim>
-    NodalVectors<dim>
-    on_active_nodes(const NodeVector             &vector,
-                    const Grid::NodalFields<dim> &fields)
-    {
-      NodalVectors<dim> result(fields.n_active_nodes());
-      for (unsigned int slot = 0; slot < result.size(); ++slot)
-        for (unsigned int d = 0; d < dim; ++d)
-          result[slot][d] = vector.block(d)[fields.active_nodes[slot]];
-      return result;
-    }
+      using BlockVector<double>::operator=;
+
+      void
+      reinit(const NodeVector &other, const bool omit_zeroing = false)
+      {
+        BlockVector<double>::reinit(other, omit_zeroing);
+        fields = other.fields;
+      }
+
+      double
+      operator*(const NodeVector &other) const
+      {
+        double sum = 0.;
+        for (unsigned int slot = 0; slot < fields->n_active_nodes(); ++slot)
+          if (fields->shared.counts(slot))
+            for (unsigned int d = 0; d < dim; ++d)
+              sum += block(d)[fields->active_nodes[slot]] *
+                     other.block(d)[fields->active_nodes[slot]];
+        return Utilities::MPI::sum(sum, fields->shared.communicator());
+      }
+
+      double
+      l2_norm() const
+      {
+        return std::sqrt(*this * *this);
+      }
+
+      double
+      add_and_dot(const double factor, const NodeVector &v, const NodeVector &w)
+      {
+        this->add(factor, v);
+        return *this * w;
+      }
+
+      NodalVectors<dim>
+      on_active_nodes() const
+      {
+        NodalVectors<dim> result(fields->n_active_nodes());
+        for (unsigned int slot = 0; slot < result.size(); ++slot)
+          for (unsigned int d = 0; d < dim; ++d)
+            result[slot][d] = block(d)[fields->active_nodes[slot]];
+        return result;
+      }
+
+    private:
+      const Grid::NodalFields<dim> *fields = nullptr;
+    };
 
     /// Removes the prescribed components.
     template <int dim>
     void
-    project(NodeVector                           &vector,
+    project(NodeVector<dim>                      &vector,
             const Grid::NodalFields<dim>         &fields,
             const Grid::VelocityConstraints<dim> *constraints)
     {
@@ -70,19 +113,35 @@ namespace mpm_granular::Momentum
         }
     }
 
+    /// The product with the matrix, which is the sum of those of the ranks.
+    template <int dim>
+    void
+    multiply(const TrilinosWrappers::SparseMatrix &matrix,
+             Grid::NodalFields<dim>               &fields,
+             const NodeVector<dim>                &vector,
+             NodeVector<dim>                      &result)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        matrix.vmult(result.block(d), vector.block(d));
+      if (fields.shared.is_serial())
+        return;
+      NodalVectors<dim> parts = result.on_active_nodes();
+      fields.shared.sum(parts);
+      result = NodeVector<dim>(parts, fields, matrix.m());
+    }
+
     /// The mass matrix, or its diagonal's inverse, on admissible variations.
     template <int dim>
     struct ProjectedMass
     {
       const TrilinosWrappers::SparseMatrix &matrix;
-      const Grid::NodalFields<dim>         &fields;
+      Grid::NodalFields<dim>               &fields;
       const Grid::VelocityConstraints<dim> *constraints;
 
       void
-      vmult(NodeVector &result, const NodeVector &vector) const
+      vmult(NodeVector<dim> &result, const NodeVector<dim> &vector) const
       {
-        for (unsigned int d = 0; d < dim; ++d)
-          matrix.vmult(result.block(d), vector.block(d));
+        multiply(matrix, fields, vector, result);
         project(result, fields, constraints);
       }
     };
@@ -90,20 +149,17 @@ namespace mpm_granular::Momentum
     template <int dim>
     struct ProjectedJacobi
     {
-      const TrilinosWrappers::SparseMatrix &matrix;
+      const std::vector<double>            &diagonal; ///< by slot
       const Grid::NodalFields<dim>         &fields;
       const Grid::VelocityConstraints<dim> *constraints;
 
       void
-      vmult(NodeVector &result, const NodeVector &vector) const
+      vmult(NodeVector<dim> &result, const NodeVector<dim> &vector) const
       {
         result = vector;
-        for (const unsigned int node : fields.active_nodes)
-          {
-            const double diagonal = matrix.diag_element(node);
-            for (unsigned int d = 0; d < dim; ++d)
-              result.block(d)[node] /= diagonal;
-          }
+        for (unsigned int slot = 0; slot < diagonal.size(); ++slot)
+          for (unsigned int d = 0; d < dim; ++d)
+            result.block(d)[fields.active_nodes[slot]] /= diagonal[slot];
         project(result, fields, constraints);
       }
     };
@@ -148,7 +204,7 @@ namespace mpm_granular::Momentum
 
   template <int dim>
   void
-  NearConsistentMass<dim>::assemble(const Grid::NodalFields<dim> &new_fields)
+  NearConsistentMass<dim>::assemble(Grid::NodalFields<dim> &new_fields)
   {
     fields = &new_fields;
     matrix = 0.;
@@ -168,6 +224,11 @@ namespace mpm_granular::Momentum
         matrix.add(nodes, local);
       }
     matrix.compress(VectorOperation::add);
+
+    diagonal.resize(fields->n_active_nodes());
+    for (unsigned int slot = 0; slot < diagonal.size(); ++slot)
+      diagonal[slot] = matrix.diag_element(fields->active_nodes[slot]);
+    fields->shared.sum(diagonal.data(), 1);
   }
 
   template <int dim>
@@ -180,18 +241,17 @@ namespace mpm_granular::Momentum
     NodalVectors<dim> prescribed(momentum.size());
     if (constraints != nullptr)
       constraints->apply(prescribed);
-    NodeVector solution = on_all_nodes(prescribed, *fields, matrix.m());
-    NodeVector residual = on_all_nodes(momentum, *fields, matrix.m());
-    NodeVector image(residual);
-    for (unsigned int d = 0; d < dim; ++d)
-      matrix.vmult(image.block(d), solution.block(d));
+    NodeVector<dim> solution(prescribed, *fields, matrix.m());
+    NodeVector<dim> residual(momentum, *fields, matrix.m());
+    NodeVector<dim> image(residual);
+    Momentum::multiply(matrix, *fields, solution, image);
     residual -= image;
     project(residual, *fields, constraints);
 
-    const double         scale = residual.l2_norm();
-    SolverControl        control(max_iterations, tolerance * scale);
-    SolverCG<NodeVector> cg(control);
-    NodeVector           variation(residual);
+    const double              scale = residual.l2_norm();
+    SolverControl             control(max_iterations, tolerance * scale);
+    SolverCG<NodeVector<dim>> cg(control);
+    NodeVector<dim>           variation(residual);
     variation = 0.;
     try
       {
@@ -199,7 +259,7 @@ namespace mpm_granular::Momentum
           cg.solve(ProjectedMass<dim>{matrix, *fields, constraints},
                    variation,
                    residual,
-                   ProjectedJacobi<dim>{matrix, *fields, constraints});
+                   ProjectedJacobi<dim>{diagonal, *fields, constraints});
       }
     catch (const SolverControl::NoConvergence &)
       {
@@ -208,7 +268,7 @@ namespace mpm_granular::Momentum
           "smaller Scheme/Consistent part or a larger Solver tolerance.");
       }
     solution += variation;
-    velocity = on_active_nodes(solution, *fields);
+    velocity = solution.on_active_nodes();
   }
 
   template <int dim>
@@ -216,11 +276,10 @@ namespace mpm_granular::Momentum
   NearConsistentMass<dim>::multiply(const NodalVectors<dim> &velocity,
                                     NodalVectors<dim>       &momentum) const
   {
-    const NodeVector vector = on_all_nodes(velocity, *fields, matrix.m());
-    NodeVector       image(vector);
-    for (unsigned int d = 0; d < dim; ++d)
-      matrix.vmult(image.block(d), vector.block(d));
-    momentum = on_active_nodes(image, *fields);
+    const NodeVector<dim> vector(velocity, *fields, matrix.m());
+    NodeVector<dim>       image(vector);
+    Momentum::multiply(matrix, *fields, vector, image);
+    momentum = image.on_active_nodes();
   }
 
   template <int dim>

@@ -126,7 +126,9 @@ namespace mpm_granular::Output
     JsonObject performance;
     performance.add("loop_seconds", loop_time)
       .add("million_point_steps_per_second", throughput)
-      .add("bytes_per_point", bytes_per_point);
+      .add("bytes_per_point", bytes_per_point)
+      .add("redistributions", n_redistributions)
+      .add("largest_imbalance", largest_imbalance);
 
     JsonObject manifest;
     manifest.add("program", "mpm_granular")

@@ -1,3 +1,5 @@
+#include <deal.II/base/timer.h>
+
 #include <mpm_granular/solver/mpm_solver.h>
 #include <mpm_granular/time/critical_step.h>
 
@@ -203,21 +205,26 @@ namespace mpm_granular::Solver
     // Sharing out costs some steps; where points are too few to be shared out
     // evenly it must not be tried all the time.
     constexpr unsigned int least_interval = 50;
+    load.largest_imbalance =
+      std::max(load.largest_imbalance, agreement.imbalance);
     const bool is_uneven = agreement.imbalance > partition.largest_imbalance &&
                            n_steps >= last_balance + least_interval;
     if (!is_uneven && !agreement.is_out_of_reach)
       return;
+    const Timer timer;
     if (is_uneven)
       {
         partition.distribute(points.count_by_cell());
         last_balance = n_steps;
-        ++n_balanced;
+        ++load.n_redistributions;
       }
     points.migrate();
     const SweepResult result = sweep.project(points.arrays(), fields);
     motion                   = result.motion;
     n_runs                   = result.n_runs;
     n_runs_in_order          = 0;
+    ++load.n_migrations;
+    load.seconds += timer.wall_time();
   }
 
   template <int dim>

@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <mpm_granular/core/signals.h>
+#include <mpm_granular/output/number_text.h>
 #include <mpm_granular/output/progress.h>
 #include <mpm_granular/solver/run.h>
 
@@ -281,13 +282,16 @@ namespace mpm_granular::Solver
     manifest.n_lost_points =
       Utilities::MPI::sum(std::uint64_t(solver.n_lost_points()),
                           info.communicator);
-    manifest.n_steps         = solver.step();
-    manifest.n_point_steps   = n_point_steps;
-    manifest.n_files         = points_output.n_files();
-    manifest.simulated_time  = solver.time();
-    manifest.loop_time       = summary.loop_time;
-    manifest.throughput      = Output::throughput(summary);
-    manifest.bytes_per_point = summary.bytes_per_point;
+    manifest.n_steps           = solver.step();
+    manifest.n_point_steps     = n_point_steps;
+    manifest.n_files           = points_output.n_files();
+    manifest.simulated_time    = solver.time();
+    manifest.loop_time         = summary.loop_time;
+    manifest.throughput        = Output::throughput(summary);
+    manifest.bytes_per_point   = summary.bytes_per_point;
+    const auto &load           = solver.load_balance();
+    manifest.n_redistributions = load.n_redistributions;
+    manifest.largest_imbalance = load.largest_imbalance;
     manifest.end(outcome, message);
     Output::on_first_rank(info.communicator, [&] {
       Output::write_atomically(folder.file("profile.csv"),
@@ -296,6 +300,15 @@ namespace mpm_granular::Solver
     });
 
     console.say(Output::summary_text(summary));
+    if (Utilities::MPI::n_mpi_processes(info.communicator) > 1)
+      console.say("Load balance: points moved " +
+                  Output::count_text(load.n_migrations) +
+                  " times, cells shared out anew " +
+                  Output::count_text(load.n_redistributions) + " times, in " +
+                  Output::duration_text(load.seconds) +
+                  "; the process with the most points had up to " +
+                  Output::short_text(100. * load.largest_imbalance) +
+                  " % more than the mean.");
     console.say("Results in " + folder.path());
   }
 

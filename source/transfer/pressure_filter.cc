@@ -117,6 +117,25 @@ namespace mpm_granular::Transfer
   {
     const unsigned int cell  = points.cell[run.begin];
     const auto        &slots = fields.cell_nodes[fields.slot_of_cell(cell)];
+
+    // Where all cells around a node are too poor in points for a gradient, that
+    // of the other nodes of the cell stands in.
+    std::array<std::array<double, dim>, dim + 1> gradients{};
+    std::array<double, dim>                      others{};
+    double                                       others_weight = 0.;
+    for (const unsigned int slot : slots)
+      {
+        others_weight += slopes[slot][weight];
+        for (unsigned int d = 0; d < dim; ++d)
+          others[d] += slopes[slot][weight] * slopes[slot][gradient + d];
+      }
+    for (unsigned int k = 0; k <= dim; ++k)
+      for (unsigned int d = 0; d < dim; ++d)
+        if (slopes[slots[k]][weight] > 0.)
+          gradients[k][d] = slopes[slots[k]][gradient + d];
+        else if (others_weight > 0.)
+          gradients[k][d] = others[d] / others_weight;
+
     smooth_pressure.resize(run.end - run.begin);
     for (unsigned int p = run.begin; p < run.end; ++p)
       {
@@ -128,8 +147,7 @@ namespace mpm_granular::Transfer
             const auto &node      = means[slots[k]];
             double      from_node = node[pressure];
             for (unsigned int d = 0; d < dim; ++d)
-              from_node +=
-                slopes[slots[k]][gradient + d] * (x[d] - node[center + d]);
+              from_node += gradients[k][d] * (x[d] - node[center + d]);
             sum += shape_values[k] * from_node;
           }
         smooth_pressure[p - run.begin] = std::max(sum, 0.);

@@ -1,6 +1,7 @@
 // Boundary conditions on the nodes of a box: which components they prescribe,
 // where several meet, moving ones, and the resultant of a traction.
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <mpm_granular/boundary/boundary_manager.h>
@@ -158,8 +159,9 @@ test()
 }
 
 int
-main()
+main(int argc, char **argv)
 {
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test<2>();
   test<3>();
 }

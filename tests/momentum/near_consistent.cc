@@ -40,7 +40,7 @@ test()
     return v;
   });
   test.project();
-  const auto                 &fields = test.fields;
+  auto                       &fields = test.fields;
   const unsigned int          n      = fields.n_active_nodes();
   Momentum::NodalVectors<dim> momentum(n), lumped, same, velocity, image(n);
   for (unsigned int i = 0; i < n; ++i)

@@ -2,6 +2,8 @@
 // calculations, the number of pieces, points and cells, the names of the
 // fields, the record over time, and the refusal of fields that do not exist.
 
+#include <deal.II/base/mpi.h>
+
 #include "../observables/hand_made_body.h"
 
 #include <mpm_granular/core/exceptions.h>
@@ -154,8 +156,9 @@ try_fields(const std::vector<std::string> &fields)
 
 
 int
-main()
+main(int argc, char **argv)
 {
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   std::filesystem::remove_all("run");
   Output::OutputParameters parameters;
   parameters.directory = "run";

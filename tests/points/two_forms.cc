@@ -1,6 +1,8 @@
 // The working set and deal.II's handler hold the same points: nothing changes
 // on the way there and back, ordering keeps every point whole, lost ones go.
 
+#include <deal.II/base/mpi.h>
+
 #include "../jittered_box.h"
 
 #include <mpm_granular/points/material_points.h>
@@ -90,8 +92,9 @@ test()
 }
 
 int
-main()
+main(int argc, char **argv)
 {
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test<2>();
   test<3>();
 }

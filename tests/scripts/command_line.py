@@ -5,7 +5,6 @@ one message that tells what to change, and leaves no file behind.
 Usage: command_line.py [PROGRAM]
 """
 
-import os
 
 from _program import INPUTS, Checks, Folder
 
@@ -104,10 +103,6 @@ def test_command_line():
     refused("form of parameters", ["--print-parameters=xml"], "markdown")
     refused("missing file", ["wal.prm"], "'wal.prm'")
     refused("folder", [INPUTS], "folder")
-    mpiexec = os.environ.get("MPM_MPIEXEC")
-    if mpiexec:
-        refused("two processes", [CASE], "one MPI process", "on 2",
-                before=[mpiexec, "-np", "2"])
 
 
 def test_file():

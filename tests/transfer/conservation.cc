@@ -2,6 +2,8 @@
 // add up to no force and no moment; masses are the row sums of the sampled mass
 // matrix.
 
+#include <deal.II/base/mpi.h>
+
 #include "scattered_points.h"
 
 #include <iostream>
@@ -49,7 +51,7 @@ test()
   double            largest_force = 0.;
   Tensor<1, dim>    force;
   decltype(angular) torque;
-  const auto       &fields = test.fields;
+  auto             &fields = test.fields;
   for (unsigned int i = 0; i < fields.n_active_nodes(); ++i)
     {
       const auto &node = fields.sums[i];
@@ -82,8 +84,9 @@ test()
 }
 
 int
-main()
+main(int argc, char **argv)
 {
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test<2>();
   test<3>();
 }

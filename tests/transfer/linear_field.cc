@@ -2,6 +2,8 @@
 // changes their velocities exactly and has its constant gradient in every cell;
 // the points end in the cells that hold them.
 
+#include <deal.II/base/mpi.h>
+
 #include "scattered_points.h"
 
 #include <iostream>
@@ -86,8 +88,9 @@ test()
 }
 
 int
-main()
+main(int argc, char **argv)
 {
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test<2>();
   test<3>();
 }

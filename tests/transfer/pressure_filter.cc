@@ -1,6 +1,8 @@
 // The smooth pressure of irregularly placed points: a linear field comes back
 // to round-off; noise on it becomes small; points without contact take no part.
 
+#include <deal.II/base/mpi.h>
+
 #include "scattered_points.h"
 
 #include <mpm_granular/transfer/pressure_filter.h>
@@ -88,8 +90,9 @@ test()
 }
 
 int
-main()
+main(int argc, char **argv)
 {
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test<2>();
   test<3>();
 }

@@ -24,9 +24,10 @@ namespace Test
     Transfer::PointBlock<dim>       block;
 
     explicit ScatteredPoints(
-      const std::function<Tensor<1, dim>(const Point<dim> &)> &velocity)
+      const std::function<Tensor<1, dim>(const Point<dim> &)> &velocity,
+      const MPI_Comm communicator = MPI_COMM_SELF)
       : mesh(JitteredBox<dim>(4), "")
-      , partition({}, mesh, MPI_COMM_SELF)
+      , partition({}, mesh, communicator)
       , points(mesh, partition, {})
       , fields(mesh, partition)
     {
@@ -47,7 +48,7 @@ namespace Test
           for (unsigned int d = 0; d < dim; ++d)
             arrays.velocity[d][p] = v[d];
           for (unsigned int s = 0; s < n_stress<dim>; ++s)
-            arrays.stress[s][p] = scattered(9 * p + s);
+            arrays.stress[s][p] = scattered(9 * arrays.id[p] + s);
         }
     }
 

@@ -14,7 +14,7 @@ namespace mpm_granular::Momentum
     add_parameters(dealii::ParameterHandler &prm) override;
 
     void
-    assemble(const Grid::NodalFields<dim> &fields) override;
+    assemble(Grid::NodalFields<dim> &fields) override;
 
     void
     solve(const NodalVectors<dim>              &momentum,

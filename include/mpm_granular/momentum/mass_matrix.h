@@ -24,9 +24,10 @@ namespace mpm_granular::Momentum
     attach(const Mesh::BackgroundMesh<dim> & /*mesh*/)
     {}
 
-    /// Takes over the masses of this step.
+    /// Takes over the masses of this step. Like solve() and multiply(),
+    /// collective.
     virtual void
-    assemble(const Grid::NodalFields<dim> &fields) = 0;
+    assemble(Grid::NodalFields<dim> &fields) = 0;
 
     /**
      * Solves M v = @p momentum.

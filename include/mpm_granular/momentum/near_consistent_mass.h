@@ -1,7 +1,6 @@
 #ifndef mpm_granular_momentum_near_consistent_mass_h
 #define mpm_granular_momentum_near_consistent_mass_h
 
-#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <mpm_granular/momentum/mass_matrix.h>
@@ -9,9 +8,11 @@
 namespace mpm_granular::Momentum
 {
   /**
-   * M_alpha = alpha M + (1 - alpha) M_l (T11), a Trilinos matrix on all nodes;
-   * rows of nodes that are not active are zero, and so are vectors there.
-   * Positive definite on the active nodes for alpha < 1, whatever the points.
+   * M_alpha = alpha M + (1 - alpha) M_l (T11), a Trilinos matrix on all nodes
+   * with the contributions of this rank's points; the sum over the ranks is
+   * taken in its products. Rows of nodes that are not active are zero, and so
+   * are vectors there. Positive definite on the active nodes for alpha < 1,
+   * whatever the points.
    *
    * Prescribed velocities are kept exactly by conjugate gradients in the space
    * of admissible variations.
@@ -30,7 +31,7 @@ namespace mpm_granular::Momentum
     attach(const Mesh::BackgroundMesh<dim> &mesh) override;
 
     void
-    assemble(const Grid::NodalFields<dim> &fields) override;
+    assemble(Grid::NodalFields<dim> &fields) override;
 
     void
     solve(const NodalVectors<dim>              &momentum,
@@ -48,7 +49,8 @@ namespace mpm_granular::Momentum
     double                                 alpha     = 0.5;
     double                                 tolerance = 1e-12;
     dealii::TrilinosWrappers::SparseMatrix matrix;
-    const Grid::NodalFields<dim>          *fields = nullptr;
+    std::vector<double>                    diagonal; ///< by slot, of all ranks
+    Grid::NodalFields<dim>                *fields = nullptr;
   };
 } // namespace mpm_granular::Momentum
 

@@ -45,10 +45,12 @@ namespace mpm_granular::Output
     std::uint64_t n_point_steps = 0;
     unsigned int  n_files       = 0; ///< VTU files of points
 
-    double simulated_time  = 0.; ///< [s]
-    double loop_time       = 0.; ///< wall time without output [s]
-    double throughput      = 0.; ///< million point-steps/s
-    double bytes_per_point = 0.;
+    double simulated_time    = 0.; ///< [s]
+    double largest_imbalance = 0.; ///< most points of a rank over mean, less 1
+    unsigned int n_redistributions = 0;  ///< of cells among the ranks
+    double       loop_time         = 0.; ///< wall time without output [s]
+    double       throughput        = 0.; ///< million point-steps/s
+    double       bytes_per_point   = 0.;
 
     /// Warnings that the user was shown.
     std::vector<std::string> warnings;

@@ -114,18 +114,20 @@ namespace mpm_granular::Solver
       return agreement.limits;
     }
 
-    /// How often the cells were shared out anew.
-    unsigned int
-    n_redistributions() const
+    /// How the work was kept shared out among the ranks so far.
+    struct LoadBalance
     {
-      return n_balanced;
-    }
+      unsigned int n_redistributions = 0;  ///< how often cells got new owners
+      unsigned int n_migrations      = 0;  ///< how often points went elsewhere
+      double       seconds           = 0.; ///< wall time this took
+      double       largest_imbalance =
+        0.; ///< most points of a rank over mean, less 1
+    };
 
-    /// The largest number of points of a rank over the mean, less one.
-    double
-    imbalance() const
+    const LoadBalance &
+    load_balance() const
     {
-      return agreement.imbalance;
+      return load;
     }
 
     /// Remarks on the input that do not stop a run.
@@ -201,8 +203,8 @@ namespace mpm_granular::Solver
     Agreement    agreement;
     std::string  error;                   ///< of this rank; empty if none
     bool         is_out_of_reach = false; ///< a point of this rank
-    unsigned int n_balanced      = 0;
-    unsigned int last_balance    = 0; ///< step
+    unsigned int last_balance    = 0;     ///< step
+    LoadBalance  load;
   };
 } // namespace mpm_granular::Solver
 

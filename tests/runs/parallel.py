@@ -1,0 +1,126 @@
+"""Runs on 1, 2, 3 and 7 processes: the same numbers up to round-off after 100
+steps, the same deposit; the load stays even; an error on one process ends all of
+them with one message and the exit code."""
+
+import json
+import os
+
+from _case import (ELASTIC, INPUTS, Checks, Folder, Result, body, boundaries,
+                   box)
+
+checks = Checks()
+IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
+
+
+def run(ranks, file, *settings):
+    """Like _case.run(), on several processes; with the manifest."""
+    with Folder() as folder:
+        if not hasattr(file, "suffix"):
+            (folder.path / "case.prm").write_text(file, encoding="utf8")
+            file = "case.prm"
+        options = [word for setting in settings for word in ("--set", setting)]
+        process = folder.run(file, "--output", "out", *options, before=[
+            os.environ["MPM_MPIEXEC"], "-np", str(ranks)])
+        result = Result(process, folder.path / "out")
+        manifest = folder.path / "out" / "manifest.json"
+        result.manifest = (json.loads(manifest.read_text())
+                           if manifest.exists() else {})
+        result.errors = [line for line in process.stderr.splitlines()
+                         if "mpm_granular: error" in line]
+        return result
+
+
+def check_same(name, one, other, columns, tolerance):
+    if not one.columns or not other.columns:
+        checks.that(False, name, one.text[-2000:] + other.text[-2000:])
+        return
+    for column in columns:
+        a, b = one.last(column), other.last(column)
+        checks.that(abs(a - b) <= tolerance * abs(a), f"{name}: {column}",
+                    f"{a} and {b}")
+
+
+# A hundred steps of the shipped walls, in space and plane, with every partition
+# and with the schemes that sum over nodes in other ways.
+COARSE = "Mesh/File=" + str(INPUTS / "meshes" / "wall_coarse.msh")
+METIS = "Parallel/Partition=METIS"
+CASES = [
+    ("space", "wall.prm", [COARSE, "End time=0.05"]),
+    ("plane, METIS", "wall_2d.prm", ["End time=0.04", METIS]),
+    ("plane, near-consistent", "wall_2d.prm",
+     ["End time=0.02", "Scheme/Mass matrix=near-consistent"]),
+    ("plane, USF", "wall_2d.prm", ["End time=0.02", "Scheme/Stress order=USF"]),
+    ("space, METIS, USL", "wall.prm",
+     [COARSE, "End time=0.02", METIS, "Scheme/Stress order=USL"])]
+for name, file, settings in CASES[:3] if IS_DEBUG else CASES:
+    settings = [*settings, "Output/Interval=0"]
+    one = run(1, INPUTS / file, *settings)
+    for ranks in (2, 3) if IS_DEBUG else (2, 3, 7):
+        other = run(ranks, INPUTS / file, *settings)
+        where = f"{name}, {ranks} processes"
+        checks.that(other.exit_code == 0, where, other.text[-2000:])
+        check_same(where, one, other, ["points"], 0.)
+        check_same(where, one, other, ["mass", "kinetic_energy"], 1e-12)
+        check_same(where, one, other,
+                   ["front", "height", "area", "potential_energy",
+                    "elastic_energy", "transfer_loss"], 1e-9)
+
+# A load at the boundary, counted once.
+LOADED = f"""
+set Dimension = 2
+set End time  = 0.05
+{box(2, [0., 0.], (2., 1.), (16, 8))}
+{body(2, [0., 0.], (2., 1.),
+      material=ELASTIC.format(density=1000, young=1e6, poisson=.3))}
+{boundaries(walls=("roller", ["x_min", "x_max", "y_min"]),
+            top=("traction", ["y_max"]))}
+subsection Boundary conditions
+  subsection top
+    set Traction = 0; -1000
+  end
+end
+"""
+one, three = run(1, LOADED), run(3, LOADED)
+checks.that(one.exit_code == three.exit_code == 0, "a load",
+            one.text[-2000:] + three.text[-2000:])
+check_same("a load", one, three, ["kinetic_energy", "boundary_work"], 1e-9)
+
+if not IS_DEBUG:
+    # The whole collapse: the points go three times as far as they were wide.
+    one, two = run(1, INPUTS / "wall_2d.prm"), run(2, INPUTS / "wall_2d.prm")
+    check_same("the deposit", one, two, ["front", "height"], .02)
+    checks.that(abs(two.last("closure")) < 2e-3, "the ledger on two processes",
+                str(two.last("closure")))
+    checks.that(two.manifest["performance"]["largest_imbalance"] < .1 and
+                two.manifest["performance"]["redistributions"] > 0,
+                "the load stays even", str(two.manifest))
+
+# One process has nothing to do, if there are more processes than cells.
+few = run(3, f"""
+set Dimension = 2
+set End time  = 0.01
+{box(2, [0., 0.], (1., 1.), (1, 1))}
+{body(2, [0., 0.], (1., 1.), points_per_cell=1)}
+{boundaries(walls=("roller", ["x_min", "x_max", "y_min"]),
+            top=("free", ["y_max"]))}
+""")
+checks.that(few.exit_code == 0, "a process without points", few.text[-2000:])
+
+# Errors.
+lost = run(3, f"""
+set Dimension = 2
+set End time  = 2
+{box(2, [0., 0.], (1., 1.), (8, 8))}
+{body(2, [.25, .25], (.75, .75),
+      material=ELASTIC.format(density=1000, young=1e5, poisson=.3))}
+{boundaries(all=("free", ["x_min", "x_max", "y_min", "y_max"]))}
+""")
+checks.that(lost.exit_code == 2 and len(lost.errors) == 1 and
+            "has left the mesh" in lost.errors[0] and
+            lost.manifest.get("outcome") == "failed",
+            "an error on one process", str(lost.exit_code) + lost.text[-2000:])
+refused = run(2, INPUTS / "wall_2d.prm", "Time step/Type=fixed",
+              "Time step/Fixed step=1")
+checks.that(refused.exit_code == 1 and len(refused.errors) == 1 and
+            not refused.manifest, "refused input", refused.text[-2000:])
+checks.exit()
