@@ -8,6 +8,7 @@
 #include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/points_to_grid.h>
 
+#include <cmath>
 #include <functional>
 
 namespace Test
@@ -31,12 +32,14 @@ namespace Test
       , points(mesh, partition, {})
       , fields(mesh, partition)
     {
+      // Steps of which no two or three are in proportion fill the box evenly.
+      constexpr double spread[] = {.8191725134, .6710436067, .5497004779};
       std::vector<Points::Seed<dim>> seeds;
       for (unsigned int i = 0; i < 3000; ++i)
         {
           Point<dim> x;
           for (unsigned int d = 0; d < dim; ++d)
-            x[d] = .1 + .8 * scattered(dim * i + d);
+            x[d] = .1 + .8 * std::fmod((i + 1) * spread[d], 1.);
           seeds.push_back({x, mesh.locate(x), 1e-3 * (1. + scattered(i))});
         }
       points.insert(seeds, 0, 1000.);
