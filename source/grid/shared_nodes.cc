@@ -155,6 +155,8 @@ namespace mpm_granular::Grid
                           partition.communicator,
                           &requests[2 * k + 1]);
         AssertThrowMPI(error);
+        ++sent.n_messages;
+        sent.n_bytes += link.outgoing.size() * sizeof(double);
       }
     const int error =
       MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);

@@ -47,9 +47,21 @@ namespace mpm_granular::Mesh
     std::vector<unsigned int>
     curve_order(const std::vector<Point<dim>> &centers)
     {
+      // deal.II stretches the box around the places to a cube. A corner that
+      // makes it one keeps near what is near, also in a slice or a channel.
+      const BoundingBox<dim>  box(centers);
+      std::vector<Point<dim>> places  = centers;
+      Point<dim>              corner  = box.get_boundary_points().first;
+      double                  longest = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        longest = std::max(longest, box.side_length(d));
+      for (unsigned int d = 0; d < dim; ++d)
+        corner[d] += longest;
+      places.push_back(corner);
+
       const int  bits = 64 / dim;
       const auto keys =
-        Utilities::inverse_Hilbert_space_filling_curve(centers, bits);
+        Utilities::inverse_Hilbert_space_filling_curve(places, bits);
 
       std::vector<unsigned int> order(centers.size());
       std::iota(order.begin(), order.end(), 0u);

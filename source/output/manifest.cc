@@ -127,6 +127,8 @@ namespace mpm_granular::Output
     performance.add("loop_seconds", loop_time)
       .add("million_point_steps_per_second", throughput)
       .add("bytes_per_point", bytes_per_point)
+      .add("messages_per_step", messages_per_step)
+      .add("bytes_sent_per_step", bytes_sent_per_step)
       .add("redistributions", n_redistributions)
       .add("largest_imbalance", largest_imbalance);
 

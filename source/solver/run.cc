@@ -292,6 +292,16 @@ namespace mpm_granular::Solver
     const auto &load           = solver.load_balance();
     manifest.n_redistributions = load.n_redistributions;
     manifest.largest_imbalance = load.largest_imbalance;
+    const auto &sent           = solver.nodal_fields().shared.traffic();
+    if (solver.step() > 0)
+      {
+        manifest.messages_per_step =
+          Utilities::MPI::max(double(sent.n_messages), info.communicator) /
+          solver.step();
+        manifest.bytes_sent_per_step =
+          Utilities::MPI::max(double(sent.n_bytes), info.communicator) /
+          solver.step();
+      }
     manifest.end(outcome, message);
     Output::on_first_rank(info.communicator, [&] {
       Output::write_atomically(folder.file("profile.csv"),

@@ -78,6 +78,19 @@ namespace mpm_granular::Grid
       return partition.communicator;
     }
 
+    /// What this rank has sent so far.
+    struct Traffic
+    {
+      std::uint64_t n_messages = 0;
+      std::uint64_t n_bytes    = 0;
+    };
+
+    const Traffic &
+    traffic() const
+    {
+      return sent;
+    }
+
     static constexpr unsigned int no_slot = static_cast<unsigned int>(-1);
 
   private:
@@ -107,6 +120,7 @@ namespace mpm_granular::Grid
     std::vector<char>           is_first; ///< by slot
     std::vector<double>         totals;   ///< by slot
     std::vector<double>         packed;   ///< a vector field, by slot
+    Traffic                     sent;
   };
 } // namespace mpm_granular::Grid
 

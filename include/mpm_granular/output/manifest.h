@@ -45,7 +45,9 @@ namespace mpm_granular::Output
     std::uint64_t n_point_steps = 0;
     unsigned int  n_files       = 0; ///< VTU files of points
 
-    double simulated_time    = 0.; ///< [s]
+    double simulated_time      = 0.; ///< [s]
+    double messages_per_step   = 0.; ///< sums over nodes, of the busiest rank
+    double bytes_sent_per_step = 0.; ///< sums over nodes, of the busiest rank
     double largest_imbalance = 0.; ///< most points of a rank over mean, less 1
     unsigned int n_redistributions = 0;  ///< of cells among the ranks
     double       loop_time         = 0.; ///< wall time without output [s]
