@@ -64,7 +64,7 @@ def draw_ground(axes, view, run, low, high):
     for mark in numpy.arange(first, high[along] + 1e-9, step):
         ends = place(mark, low[across]), place(mark, high[across])
         axes.plot(*zip(*ends), color="#8A8378", lw=0.5, zorder=1)
-        axes.annotate(f"{mark + 0.:g}", ends[0], xytext=(0, -3), ha="center",
+        axes.annotate(f"{mark + 0.:g} m", ends[0], xytext=(0, -3), ha="center",
                       va="top", textcoords="offset points", fontsize=8,
                       color="#5C564D", annotation_clip=False)
 
