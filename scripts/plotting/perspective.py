@@ -77,7 +77,11 @@ def perspective(run, quantity, name):
                     axis=0) - 0.5 * run.spacing
     high = numpy.max([numpy.percentile(p, 99.95, axis=0) for p in positions],
                      axis=0) + 0.5 * run.spacing
-    high[run.horizontal] += 0.04 * (high - low)[run.horizontal]
+    margin = 0.04 * (high - low)[run.horizontal]
+    high[run.horizontal] += margin
+    start = positions[0][:, run.horizontal].min()
+    if low[run.horizontal] < start - run.spacing:  # no wall on the left
+        low[run.horizontal] -= margin
     view = make_view(run, low, high)
 
     n_columns = 2 if len(frames) > 1 else 1

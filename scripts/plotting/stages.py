@@ -68,11 +68,15 @@ def view_bounds(runs, frames):
                                                        run.vertical]]
             low.append(numpy.percentile(place, 0.05, axis=0))
             high.append(numpy.percentile(place, 99.95, axis=0))
+    start = low[0]
     low, high = numpy.min(low, axis=0), numpy.max(high, axis=0)
     margin = 0.04 * (high - low).max()
-    # The body stands on the lower edge, and mostly at a wall on the left.
+    # The body stands on the lower edge, and at a wall on the left unless it
+    # moves there.
     spacing = max(run.spacing for run in runs)
     left, bottom = low - spacing
+    if left < start[0] - 2. * spacing:
+        left = low[0] - margin
     right, top = high + margin
     return left, right, bottom, top
 
