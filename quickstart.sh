@@ -75,10 +75,19 @@ build() { # build TYPE FOLDER
   cmake --build "$2"
 }
 
-# The end of the run's log, its pictures, and the files for ParaView.
+# What the run's log says at its end, pictures, tables, and files for ParaView.
 summary() {
   printf '\n-- %s\n' "$1"
-  tail -n 15 "$1/log.txt"
+  sed -n '/^Done: /,$p' "$1/log.txt" | grep -v '^Results in '
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
+    NR == 2 { initial = $column["potential_energy"] }
+    NR > 1 && $column["kinetic_energy"] > peak {
+      peak = $column["kinetic_energy"]; peak_time = $column["time"] }
+    END { printf "At %g s: front %.2f m, height %.2f m, area from the side %.2f m^2\n",
+        $column["time"], $column["front"], $column["height"], $column["area"]
+      printf "Of the initial potential energy: kinetic at most %.3f (at %.2f s), %.0e at the end; closure of the balance %.4f\n",
+        peak / initial, peak_time, $column["kinetic_energy"] / initial, $column["closure"] }' \
+    "$1/observables.csv"
   find "$PWD/$1" -maxdepth 2 \( -name '*.png' -o -name '*.csv' -o -name '*.pvd' \) | sort
 }
 

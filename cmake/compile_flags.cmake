@@ -10,8 +10,10 @@ target_include_directories(mpm_granular_flags INTERFACE
 target_link_libraries(mpm_granular_flags INTERFACE Boost::program_options)
 
 # -fPIC for everything: a precompiled header serves only files that are compiled
-# with the same setting.
-target_compile_options(mpm_granular_flags INTERFACE -Wall -Wextra -fPIC)
+# with the same setting. -fopenmp-simd makes the "omp simd" pragmas known, and
+# needs no OpenMP library.
+target_compile_options(mpm_granular_flags INTERFACE
+  -Wall -Wextra -fPIC -fopenmp-simd)
 
 if(MPM_WERROR)
   target_compile_options(mpm_granular_flags INTERFACE -Werror)
@@ -21,7 +23,7 @@ if(CMAKE_BUILD_TYPE STREQUAL Release)
   # Only what keeps IEEE results: no re-association, NaN stays NaN. -g1: line
   # numbers for backtraces and profilers; deal.II's -g takes longer to compile.
   target_compile_options(mpm_granular_flags INTERFACE
-    -O3 -g1 -fno-math-errno -fno-trapping-math -fopenmp-simd)
+    -O3 -g1 -fno-math-errno -fno-trapping-math)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # deal.II compiles with -fPIC; without this, g++ may not inline a function
     # that another library could replace.

@@ -23,36 +23,37 @@ def energies(run):
     figure, (upper, middle, lower) = pyplot.subplots(
         3, 1, sharex=True, layout="constrained", figsize=(7.2, 8.2),
         gridspec_kw={"height_ratios": (3., 1.6, 1.)})
-    shares = (("potential_energy", "potential"), ("kinetic_energy", "kinetic"),
-              ("elastic_energy", "elastic"),
-              ("dissipated_energy", "dissipated"),
-              ("transfer_loss", "transfer"))
-    labels = ("potential", "kinetic", "elastic", "dissipated by the material",
-              "transfer loss")
+    shares = [("potential_energy", "potential", "potential"),
+              ("kinetic_energy", "kinetic", "kinetic"),
+              ("elastic_energy", "elastic", "elastic"),
+              ("dissipated_energy", "dissipated", "dissipated by the material"),
+              ("transfer_loss", "transfer", "transfer loss")]
+    if numpy.any(table["filter_loss"]):
+        shares.append(("filter_loss", "filter", "pressure filter"))
     upper.stackplot(time, [numpy.maximum(table[name], 0.) / scale
-                           for name, _ in shares],
-                    colors=[COLOURS[colour] for _, colour in shares],
-                    labels=labels, lw=0., alpha=0.9)
+                           for name, _, _ in shares],
+                    colors=[COLOURS[colour] for _, colour, _ in shares],
+                    labels=[label for _, _, label in shares], lw=0., alpha=0.9)
     upper.plot(time, (initial + table["boundary_work"]) / scale, "k--", lw=1.2,
                label="initial + boundary work")
     size = f"{scale:,.0f}" if scale >= 1000. else f"{scale:.4g}"
-    upper.set_ylabel(f"energy / {size} {unit}")
+    upper.set_ylabel("stacked")
     upper.set_ylim(bottom=0.)
     handles, names = upper.get_legend_handles_labels()
     upper.legend(handles[::-1], names[::-1], loc="center left",
                  bbox_to_anchor=(1.01, 0.5))
-    upper.set_title("Energies, stacked, over the initial potential energy",
+    what = "initial potential" if table["potential_energy"][0] else "initial"
+    upper.set_title(f"Energies over the {what} energy of {size} {unit}",
                     loc="left")
 
-    for name, colour, label in (
-            ("kinetic_energy", "kinetic", "kinetic"),
-            ("elastic_energy", "elastic", "elastic"),
-            ("boundary_work", "boundary", "boundary work"),
-            ("transfer_loss", "transfer", "transfer loss")):
+    small = [share for share in shares if share[0] not in
+             ("potential_energy", "dissipated_energy")]
+    small.append(("boundary_work", "boundary", "boundary work"))
+    for name, colour, label in small:
         middle.plot(time, table[name] / scale, color=COLOURS[colour],
                     label=label, lw=1.5)
     middle.axhline(0., color="0.6", lw=0.6)
-    middle.set_ylabel("energy, not stacked")
+    middle.set_ylabel("not stacked")
     middle.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
 
     lower.plot(time, 100. * table["closure"], color=COLOURS["total"], lw=1.3)
@@ -70,7 +71,8 @@ def front(runs, folder, name):
     styles = ("-", "--", "-.", ":")
     for axes, column, colour, title in zip(
             both, ("front", "height"), ("#D55E00", "#0072B2"),
-            ("front: 99.9 % of the mass lies behind", "height")):
+            ("front: 99.9 % of the mass lies behind",
+             runs[0].height_label)):
         for number, run in enumerate(runs):
             label = f"{run.name} ({run.dimension}D)"
             axes.plot(run.table["time"], run.table[column], lw=1.8,

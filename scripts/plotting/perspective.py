@@ -64,7 +64,7 @@ def draw_ground(axes, view, run, low, high):
     for mark in numpy.arange(first, high[along] + 1e-9, step):
         ends = place(mark, low[across]), place(mark, high[across])
         axes.plot(*zip(*ends), color="#8A8378", lw=0.5, zorder=1)
-        axes.annotate(f"{mark + 0.:g}", ends[0], xytext=(0, -3), ha="center",
+        axes.annotate(f"{mark + 0.:g} m", ends[0], xytext=(0, -3), ha="center",
                       va="top", textcoords="offset points", fontsize=8,
                       color="#5C564D", annotation_clip=False)
 
@@ -77,7 +77,11 @@ def perspective(run, quantity, name):
                     axis=0) - 0.5 * run.spacing
     high = numpy.max([numpy.percentile(p, 99.95, axis=0) for p in positions],
                      axis=0) + 0.5 * run.spacing
-    high[run.horizontal] += 0.04 * (high - low)[run.horizontal]
+    margin = 0.04 * (high - low)[run.horizontal]
+    high[run.horizontal] += margin
+    start = positions[0][:, run.horizontal].min()
+    if low[run.horizontal] < start - run.spacing:  # no wall on the left
+        low[run.horizontal] -= margin
     view = make_view(run, low, high)
 
     n_columns = 2 if len(frames) > 1 else 1

@@ -109,6 +109,14 @@ class Run:
         """Index of the third axis; of z in 2D, where it is zero."""
         return 3 - self.vertical - self.horizontal
 
+    @property
+    def height_label(self):
+        """Of what part of the body the column `height` tells the height."""
+        if self.parameters.get("Observables/Height of") != "column":
+            return "height"
+        place = self.parameters.get("Observables/Column position", "0")
+        return f"height at {AXES[self.horizontal]} = {place} m"
+
     def points(self, frame):
         """Positions and fields of frame number `frame`."""
         if frame not in self.loaded:

@@ -51,12 +51,9 @@ def strain(runs):
 
 
 def pressure(runs):
-    """Pressure, up to what the body bears before it moves."""
-    largest = max(numpy.percentile(run.points(0)["pressure"], 99.5)
-                  for run in runs)
-    if not largest > 0.:
-        largest = max(numpy.percentile(run.points(frame)["pressure"], 95)
-                      for run in runs for frame in run.stages(6))
+    """Pressure, up to nearly the highest of what is shown."""
+    largest = max(numpy.percentile(run.points(frame)["pressure"], 98)
+                  for run in runs for frame in run.stages(6))
     return Quantity("pressure", "pressure [kPa]", 1e-3,
                     pyplot.get_cmap("magma"), round_up(1e-3 * largest))
 
@@ -71,11 +68,15 @@ def view_bounds(runs, frames):
                                                        run.vertical]]
             low.append(numpy.percentile(place, 0.05, axis=0))
             high.append(numpy.percentile(place, 99.95, axis=0))
+    start = low[0]
     low, high = numpy.min(low, axis=0), numpy.max(high, axis=0)
     margin = 0.04 * (high - low).max()
-    # The body stands on the lower edge, and mostly at a wall on the left.
+    # The body stands on the lower edge, and at a wall on the left unless it
+    # moves there.
     spacing = max(run.spacing for run in runs)
     left, bottom = low - spacing
+    if left < start[0] - 2. * spacing:
+        left = low[0] - margin
     right, top = high + margin
     return left, right, bottom, top
 
@@ -112,7 +113,7 @@ def panel_grid(n_rows, n_columns, bounds, panel_width):
     """A figure with panels of the proportions of the bounds."""
     proportion = (bounds[3] - bounds[2]) / (bounds[1] - bounds[0])
     figure, grid = pyplot.subplots(
-        n_rows, n_columns, squeeze=False, layout="constrained",
+        n_rows, n_columns, squeeze=False, layout="compressed",
         figsize=(panel_width * n_columns + 1.2,
                  (panel_width * proportion + 0.15) * n_rows + 0.7))
     return figure, grid

@@ -124,7 +124,7 @@ namespace mpm_granular::Points
           properties[n_properties<dim>(names.size()) - 1]);
         working_set.id[p] = particle.get_id();
         working_set.cell[p] =
-          mesh.flat_index(particle.get_surrounding_cell(mesh.triangulation()));
+          mesh.flat_index(particle.get_surrounding_cell());
         ++p;
       }
     particles.clear_particles();
