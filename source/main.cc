@@ -1,9 +1,11 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <mpm_granular/checkpoint/checkpoint_folder.h>
 #include <mpm_granular/core/exceptions.h>
 #include <mpm_granular/core/exit_code.h>
 #include <mpm_granular/core/signals.h>
+#include <mpm_granular/parameters/changes.h>
 #include <mpm_granular/parameters/command_line.h>
 #include <mpm_granular/parameters/dimension.h>
 #include <mpm_granular/parameters/listing.h>
@@ -16,6 +18,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -43,32 +46,76 @@ namespace
 
 
 
-  /// Reads the parameter file, sets the run up, and runs it.
+  /// Where the parameters of a run come from.
+  struct Origin
+  {
+    Parameters::InputSource  source;
+    std::vector<std::string> overrides;
+    std::string              input_file; ///< that file names are relative to
+    std::string              checkpoint; ///< empty: a new run
+    std::vector<std::string> remarks;
+  };
+
+
+
+  /// The parameter file, or the newest checkpoint of the run to continue.
+  Origin
+  origin_of(const CommandLine &command_line)
+  {
+    if (command_line.resume.empty())
+      return {
+        command_line.file, command_line.overrides, command_line.file, "", {}};
+
+    const auto start =
+      Checkpoint::newest_checkpoint(command_line.resume, MPI_COMM_WORLD);
+    Origin origin{{start.file, start.parameter_text},
+                  command_line.overrides,
+                  start.input_file,
+                  start.file,
+                  start.remarks};
+    origin.overrides.push_back("Output/Directory=" + command_line.resume);
+    return origin;
+  }
+
+
+
+  /// Reads the parameters, sets the run up, and runs it.
   template <int dim>
   ExitCode
-  run_case(const CommandLine &command_line)
+  run_case(const CommandLine &command_line, const Origin &origin)
   {
     Solver::RunParameters<dim> parameters;
     const auto                 entries =
-      Parameters::read(parameters, command_line.file, command_line.overrides);
-    Parameters::check(parameters, command_line.file);
+      Parameters::read(parameters, origin.source, origin.overrides);
+    if (!origin.checkpoint.empty())
+      {
+        Solver::RunParameters<dim> before;
+        Parameters::refuse_changes(Parameters::read(before, origin.source),
+                                   entries,
+                                   Solver::changeable_on_resume(),
+                                   "when a run is continued: it would be "
+                                   "another run. Start a new one.");
+      }
+    Parameters::check(parameters, origin.source.name);
 
     std::ostringstream text;
     text << "# Every entry as used by\n#   " << command_line.text
          << "\n# File names are relative to the folder of "
-         << std::filesystem::absolute(command_line.file).string() << "\n\n";
+         << std::filesystem::absolute(origin.input_file).string() << "\n\n";
     Parameters::write(entries, text, Parameters::Style::parameter_file);
 
     Parameters::RunInfo info;
     info.command_line   = command_line.text;
-    info.input_file     = command_line.file;
+    info.input_file     = origin.input_file;
     info.parameter_text = text.str();
+    info.checkpoint     = origin.checkpoint;
+    info.remarks        = origin.remarks;
     info.overwrite      = command_line.overwrite;
     info.check_only     = command_line.task == CommandLine::Task::check;
 
     Solver::Run<dim> run(parameters, info);
     if (!info.check_only)
-      Core::catch_stop_signals();
+      Core::catch_signals();
     return run.execute() == Solver::Outcome::finished ? ExitCode::done :
                                                         ExitCode::interrupted;
   }
@@ -85,14 +132,19 @@ namespace
       std::cout << Parameters::version_text();
     else
       {
+        const Origin origin = origin_of(command_line);
+        // Of a run that is continued, the dimension cannot be changed.
         const bool is_2d =
-          Parameters::read_dimension(command_line.file,
-                                     command_line.overrides) == 2;
+          Parameters::read_dimension(origin.source,
+                                     origin.checkpoint.empty() ?
+                                       origin.overrides :
+                                       std::vector<std::string>()) == 2;
         if (command_line.task == Task::print_parameters)
           is_2d ? print_parameters<2>(command_line) :
                   print_parameters<3>(command_line);
         else
-          return is_2d ? run_case<2>(command_line) : run_case<3>(command_line);
+          return is_2d ? run_case<2>(command_line, origin) :
+                         run_case<3>(command_line, origin);
       }
     return ExitCode::done;
   }

@@ -7,8 +7,11 @@ namespace mpm_granular::Core
 {
   namespace
   {
-    std::atomic<int> received_signal{0};
+    std::atomic<int>  received_signal{0};
+    std::atomic<bool> checkpoint_is_wanted{false};
     static_assert(std::atomic<int>::is_always_lock_free,
+                  "a signal handler may use lock-free atomics only");
+    static_assert(std::atomic<bool>::is_always_lock_free,
                   "a signal handler may use lock-free atomics only");
 
     extern "C" void
@@ -20,15 +23,22 @@ namespace mpm_granular::Core
           std::raise(signal_number);
         }
     }
+
+    extern "C" void
+    receive_checkpoint_signal(const int)
+    {
+      checkpoint_is_wanted = true;
+    }
   } // namespace
 
 
 
   void
-  catch_stop_signals()
+  catch_signals()
   {
     std::signal(SIGINT, receive_stop_signal);
     std::signal(SIGTERM, receive_stop_signal);
+    std::signal(SIGUSR1, receive_checkpoint_signal);
   }
 
 
@@ -37,5 +47,14 @@ namespace mpm_granular::Core
   stop_signal()
   {
     return received_signal.load(std::memory_order_relaxed);
+  }
+
+
+
+  bool
+  take_checkpoint_request()
+  {
+    return checkpoint_is_wanted.load(std::memory_order_relaxed) &&
+           checkpoint_is_wanted.exchange(false);
   }
 } // namespace mpm_granular::Core

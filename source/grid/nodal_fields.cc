@@ -1,5 +1,8 @@
 #include <mpm_granular/grid/nodal_fields.h>
 
+#include <cstring>
+#include <type_traits>
+
 namespace mpm_granular::Grid
 {
   using namespace dealii;
@@ -161,6 +164,33 @@ namespace mpm_granular::Grid
     shared.sum(partial);
     for (unsigned int i = 0; i < result.size(); ++i)
       result[i] += partial[i];
+  }
+
+  template <int dim>
+  void
+  NodalFields<dim>::serialize(Core::Archive &archive)
+  {
+    constexpr unsigned int n_numbers = sizeof(CellSums<dim>) / sizeof(double);
+    static_assert(std::is_trivially_copyable_v<CellSums<dim>> &&
+                    sizeof(CellSums<dim>) == n_numbers * sizeof(double),
+                  "the sums of a cell are copied as so many numbers");
+    archive.distributed("grid/active_cells", active_cells);
+    std::vector<double> numbers(n_numbers * cell_sums.size());
+    if (!cell_sums.empty())
+      std::memcpy(numbers.data(),
+                  cell_sums.data(),
+                  numbers.size() * sizeof(double));
+    archive.distributed("grid/cell_sums", numbers, n_numbers);
+
+    if (!archive.is_reading())
+      return;
+    cell_sums.resize(active_cells.size());
+    if (!cell_sums.empty())
+      std::memcpy(cell_sums.data(),
+                  numbers.data(),
+                  numbers.size() * sizeof(double));
+    for (unsigned int slot = 0; slot < active_cells.size(); ++slot)
+      cell_slot[active_cells[slot]] = slot;
   }
 
   template <int dim>

@@ -75,6 +75,15 @@ namespace mpm_granular::Mesh
 
   template <int dim>
   void
+  Partition<dim>::serialize(Core::Archive &archive)
+  {
+    archive.replicated("mesh/owners", owners);
+    if (archive.is_reading() && n_ranks > 1)
+      find_neighbors();
+  }
+
+  template <int dim>
+  void
   Partition<dim>::cut_curve(const std::vector<std::uint32_t> &n_points)
   {
     // Cells are numbered along the curve. A cell goes to the rank in whose

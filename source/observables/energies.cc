@@ -80,6 +80,20 @@ namespace mpm_granular::Observables
 
 
 
+  template <int dim>
+  void
+  Energies<dim>::serialize(Core::Archive &archive)
+  {
+    std::vector<double> energies;
+    if (initial)
+      energies = {initial->kinetic, initial->elastic, initial->potential};
+    archive.replicated("observables/initial_energies", energies);
+    if (archive.is_reading() && energies.size() == 3)
+      initial = StoredEnergy{energies[0], energies[1], energies[2]};
+  }
+
+
+
   namespace
   {
     const RegisterObservable<Energies>

@@ -7,7 +7,9 @@
 #include <mpm_granular/observables/surface.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 
 namespace mpm_granular::Observables
 {
@@ -95,10 +97,63 @@ namespace mpm_granular::Observables
   ObservablesTable<dim>::open(const std::string &path)
   {
     file.open(path);
-    for (unsigned int c = 0; c < names.size(); ++c)
-      file << (c == 0 ? "" : ",") << names[c];
-    file << std::endl;
+    file << header() << std::endl;
     require(file.good(), "The table '" + path + "' cannot be written.");
+  }
+
+
+
+  template <int dim>
+  void
+  ObservablesTable<dim>::reopen(const std::string &path)
+  {
+    std::ifstream table(path, std::ios::binary);
+    std::string   line;
+    std::getline(table, line);
+    require(table.good(), "The table '" + path + "' cannot be read.");
+    require(line == header(),
+            "The table '" + path +
+              "' has other columns than this version of the program writes.");
+    for (std::uint64_t row = 0; row < n_rows; ++row)
+      {
+        std::getline(table, line);
+        // At the end of the file where a line break is missing.
+        require(table.good(),
+                "The table '" + path + "' has fewer than the " +
+                  std::to_string(n_rows) +
+                  " rows that were there when the checkpoint was written.");
+      }
+    const std::uintmax_t size = table.tellg();
+    table.close();
+
+    std::error_code error;
+    std::filesystem::resize_file(path, size, error);
+    file.open(path, std::ios::app);
+    require(!error && file.is_open(),
+            "The table '" + path + "' cannot be written.");
+  }
+
+
+
+  template <int dim>
+  void
+  ObservablesTable<dim>::serialize(Core::Archive &archive)
+  {
+    archive.replicated("observables/n_rows", n_rows);
+    for (const auto &observable : observables)
+      observable->serialize(archive);
+  }
+
+
+
+  template <int dim>
+  std::string
+  ObservablesTable<dim>::header() const
+  {
+    std::string line;
+    for (const auto &name : names)
+      line += (line.empty() ? "" : ",") + name;
+    return line;
   }
 
 
@@ -123,6 +178,7 @@ namespace mpm_granular::Observables
     for (unsigned int c = 0; c < row.size(); ++c)
       line += (c == 0 ? "" : ",") + Core::exact_text(row[c]);
     file << line + "\n" << std::flush;
+    ++n_rows;
     if (!file)
       throw ComputationError("A row of observables.csv cannot be written. Is "
                              "there space on the disk?");

@@ -56,11 +56,11 @@ namespace mpm_granular::Output
 
 
   void
-  Console::open_log(const std::string &path)
+  Console::open_log(const std::string &path, const bool append)
   {
     if (!is_active)
       return;
-    log_file.open(path);
+    log_file.open(path, append ? std::ios::app : std::ios::trunc);
     require(log_file.is_open(),
             "The log file '" + path + "' cannot be written.");
     log_file << unlogged << std::flush;

@@ -143,6 +143,7 @@ namespace mpm_granular::Output
       .add("end", end_time)
       .add("outcome", outcome_name(outcome))
       .add("message", message)
+      .add("resumed", resumed)
       .add("simulated_time", simulated_time)
       .add("counts", counts)
       .add("performance", performance)

@@ -1,7 +1,5 @@
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <mpm_granular/core/exceptions.h>
+#include <mpm_granular/core/synchronize.h>
 #include <mpm_granular/output/run_folder.h>
 
 #include <filesystem>
@@ -22,20 +20,8 @@ namespace mpm_granular::Output
       static const std::regex pattern(
         "(parameters\\.prm|manifest\\.json|observables\\.csv|profile\\.csv|"
         "points\\.pvd|grid\\.pvd|log\\.txt|points/points-[0-9]+\\.vtu|"
-        "grid/grid-[0-9]+\\.vtu)(\\.tmp)?");
+        "grid/grid-[0-9]+\\.vtu|checkpoint/step-[0-9]+\\.h5)(\\.tmp)?");
       return pattern;
-    }
-
-    /// Asks the system to bring the file or folder @p path to the disk.
-    void
-    synchronize(const std::string &path)
-    {
-      const int descriptor = ::open(path.c_str(), O_RDONLY);
-      if (descriptor >= 0)
-        {
-          ::fsync(descriptor);
-          ::close(descriptor);
-        }
     }
   } // namespace
 
@@ -56,8 +42,7 @@ namespace mpm_granular::Output
           throw ComputationError("Cannot write '" + path +
                                  "'. Is there space on the disk, and may the "
                                  "folder be written to?");
-        synchronize(temporary);
-        fs::rename(temporary, path);
+        Core::replace_file(temporary, path);
       }
     catch (...)
       {
@@ -65,8 +50,6 @@ namespace mpm_granular::Output
         fs::remove(temporary, ignored);
         throw;
       }
-    const fs::path folder = fs::path(path).parent_path();
-    synchronize(folder.empty() ? "." : folder.string());
   }
 
 
@@ -127,7 +110,7 @@ namespace mpm_granular::Output
     try
       {
         fs::create_directories(folder);
-        for (const std::string part : {"", "points", "grid"})
+        for (const std::string part : {"", "points", "grid", "checkpoint"})
           {
             const fs::path place = fs::path(folder) / part;
             if (!fs::is_directory(place))

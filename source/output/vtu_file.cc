@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <regex>
+#include <set>
 #include <sstream>
+#include <system_error>
 #include <tuple>
 
 namespace mpm_granular::Output
@@ -230,10 +233,8 @@ namespace mpm_granular::Output
   VtuSeries::add(const double                               time,
                  const std::function<void(std::ostream &)> &write)
   {
-    namespace fs = std::filesystem;
-    const std::string file =
-      name + "/" + name + "-" +
-      Utilities::int_to_string(times_and_names.size(), 5) + ".vtu";
+    namespace fs           = std::filesystem;
+    const std::string file = file_name(n_files());
     times_and_names.emplace_back(time, file);
 
     // What the others send has to be received even if there is no file.
@@ -258,11 +259,71 @@ namespace mpm_granular::Output
             write(unused);
           throw;
         }
-      write_atomically((fs::path(folder) / (name + ".pvd")).string(),
-                       [&](std::ostream &out) {
-                         DataOutBase::write_pvd_record(out, times_and_names);
-                       });
+      write_record();
     });
+  }
+
+
+
+  void
+  VtuSeries::serialize(Core::Archive &archive)
+  {
+    std::vector<double> times;
+    for (const auto &record : times_and_names)
+      times.push_back(record.first);
+    archive.replicated("output/times_of_" + name, times);
+    if (!archive.is_reading())
+      return;
+    times_and_names.clear();
+    for (const double time : times)
+      times_and_names.emplace_back(time, file_name(n_files()));
+  }
+
+
+
+  void
+  VtuSeries::resume()
+  {
+    namespace fs = std::filesystem;
+    std::set<std::string> kept;
+    for (const auto &record : times_and_names)
+      kept.insert(fs::path(record.second).filename().string());
+    const std::regex      of_series(name + "-[0-9]+\\.vtu(\\.tmp)?");
+    std::vector<fs::path> too_new;
+    std::error_code       ignored; // there is no folder without files
+    for (const auto &entry :
+         fs::directory_iterator(fs::path(folder) / name, ignored))
+      {
+        const std::string file = entry.path().filename().string();
+        if (std::regex_match(file, of_series) && kept.count(file) == 0)
+          too_new.push_back(entry.path());
+      }
+    for (const auto &path : too_new)
+      fs::remove(path, ignored);
+    if (n_files() > 0)
+      write_record();
+    else
+      fs::remove(fs::path(folder) / (name + ".pvd"), ignored);
+  }
+
+
+
+  std::string
+  VtuSeries::file_name(const unsigned int index) const
+  {
+    return name + "/" + name + "-" + Utilities::int_to_string(index, 5) +
+           ".vtu";
+  }
+
+
+
+  void
+  VtuSeries::write_record() const
+  {
+    write_atomically((std::filesystem::path(folder) / (name + ".pvd")).string(),
+                     [&](std::ostream &out) {
+                       DataOutBase::write_pvd_record(out, times_and_names);
+                     });
   }
 
 

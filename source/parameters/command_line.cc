@@ -32,6 +32,10 @@ namespace mpm_granular::Parameters
           options::value<std::string>()->value_name("DIR"),
           "write to this folder: short for --set \"Output/Directory=DIR\"");
       add("overwrite", "replace the files of an earlier run in that folder");
+      add("resume",
+          options::value<std::string>()->value_name("DIR"),
+          "continue the run in this folder from its newest checkpoint; --set "
+          "may change the end time, output, observables and checkpoints");
       add("print-parameters",
           options::value<std::string>()->implicit_value("prm")->value_name(
             "FORM"),
@@ -96,6 +100,30 @@ namespace mpm_granular::Parameters
 
 
 
+    /// What makes no sense for a run that is continued in its own folder.
+    void
+    refuse_beside_resume(const CommandLine &line)
+    {
+      using Task = CommandLine::Task;
+      require(line.task != Task::print_parameters,
+              "Command line: --resume does not go with --print-parameters; "
+              "the parameters are in '" +
+                line.resume + "/parameters.prm'.");
+      require(line.file.empty(),
+              "Command line: --resume takes the parameters from the "
+              "checkpoint; leave out '" +
+                line.file + "'.");
+      require(!line.overwrite,
+              "Command line: --resume continues a run, --overwrite removes it; "
+              "choose one.");
+      for (const auto &override : line.overrides)
+        require(override.rfind("Output/Directory", 0) != 0,
+                "Command line: --resume continues in '" + line.resume +
+                  "'; a run cannot go on in another folder.");
+    }
+
+
+
     CommandLine
     interpret(const options::variables_map &values)
     {
@@ -119,7 +147,9 @@ namespace mpm_granular::Parameters
                     ". See --help.");
           result.file = files.front();
         }
-      require(!result.file.empty() ||
+      if (values.count("resume"))
+        result.resume = values["resume"].as<std::string>();
+      require(!result.file.empty() || !result.resume.empty() ||
                 (result.task != Task::run && result.task != Task::check),
               "Command line: name a parameter file, for example "
               "'mpm_granular wall.prm'. See --help.");
@@ -130,6 +160,8 @@ namespace mpm_granular::Parameters
         result.overrides.push_back("Output/Directory=" +
                                    values["output"].as<std::string>());
       result.overwrite = values.count("overwrite") > 0;
+      if (!result.resume.empty())
+        refuse_beside_resume(result);
 
       if (result.task == Task::print_parameters)
         {
@@ -196,15 +228,18 @@ namespace mpm_granular::Parameters
   usage()
   {
     std::ostringstream text;
-    text << "mpm_granular: flow of granular material by the material point "
-            "method\n\n"
-            "Usage:\n"
-            "  mpm_granular FILE [options]              run the case in FILE\n"
-            "  mpm_granular --check FILE                only check it\n"
-            "  mpm_granular --print-parameters [FILE]   list all entries\n\n"
-         << visible_options()
-         << "\nExit code: 0 done, 1 input refused, 2 computation failed, 3 "
-            "interrupted by a\nsignal after writing the last state.\n";
+    text
+      << "mpm_granular: flow of granular material by the material point "
+         "method\n\n"
+         "Usage:\n"
+         "  mpm_granular FILE [options]              run the case in FILE\n"
+         "  mpm_granular --check FILE                only check it\n"
+         "  mpm_granular --resume DIR [options]      continue the run in "
+         "DIR\n"
+         "  mpm_granular --print-parameters [FILE]   list all entries\n\n"
+      << visible_options()
+      << "\nExit code: 0 done, 1 input refused, 2 computation failed, 3 "
+         "interrupted by a\nsignal after writing the last state and a checkpoint.\n";
     return text.str();
   }
 

@@ -28,10 +28,10 @@ namespace mpm_granular::Parameters
 
 
   unsigned int
-  read_dimension(const std::string              &file,
+  read_dimension(const InputSource              &source,
                  const std::vector<std::string> &overrides)
   {
-    const InputText text      = read_input_text(file, overrides);
+    const InputText text      = read_input_text(source, overrides);
     unsigned int    dimension = 3;
     for (const auto *assignments : {&text.assignments, &text.overrides})
       for (const auto &assignment : *assignments)

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <system_error>
 
 namespace mpm_granular::Parameters
@@ -40,6 +41,9 @@ namespace mpm_granular::Parameters
 
       void
       read();
+
+      void
+      read(std::istream &stream);
 
     private:
       struct Section
@@ -109,7 +113,14 @@ namespace mpm_granular::Parameters
       require(stream.good(),
               "The parameter file '" + file +
                 "' cannot be opened; may it be read?");
+      read(stream);
+    }
 
+
+
+    void
+    Reader::read(std::istream &stream)
+    {
       std::string line;
       while (next_line(stream, line))
         if (!line.empty())
@@ -273,12 +284,18 @@ namespace mpm_granular::Parameters
 
 
   InputText
-  read_input_text(const std::string              &file,
+  read_input_text(const InputSource              &source,
                   const std::vector<std::string> &overrides)
   {
     InputText text;
-    if (!file.empty())
-      Reader(file, text, 0).read();
+    Reader    reader(source.name, text, 0);
+    if (source.text)
+      {
+        std::istringstream stream(*source.text);
+        reader.read(stream);
+      }
+    else if (!source.name.empty())
+      reader.read();
     for (const auto &argument : overrides)
       text.overrides.push_back(parse_override(argument));
     return text;

@@ -116,10 +116,10 @@ namespace mpm_granular::Parameters
 
   std::vector<Entry>
   read(ParameterGroup                 &group,
-       const std::string              &file,
+       const InputSource              &source,
        const std::vector<std::string> &overrides)
   {
-    const InputText text = read_input_text(file, overrides);
+    const InputText text = read_input_text(source, overrides);
 
     std::map<std::string, std::string> defaults;
     std::vector<Entry>                 before;
@@ -146,13 +146,14 @@ namespace mpm_granular::Parameters
         refuse_unknown(entries, documented, text);
         const auto missing = required_but_not_set(prm);
         require(missing.empty(),
-                file + ": " + quoted_list(missing) + " must be set.");
+                source.name + ": " + quoted_list(missing) + " must be set.");
         entries = entries_of(prm);
         for (auto &entry : entries)
           entry.default_value = defaults.at(entry.path());
         return entries;
       }
-    throw InputError(file + ": the entries depend on each other in a circle.");
+    throw InputError(source.name +
+                     ": the entries depend on each other in a circle.");
   }
 
 

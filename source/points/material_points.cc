@@ -218,6 +218,17 @@ namespace mpm_granular::Points
   }
 
   template <int dim>
+  void
+  MaterialPoints<dim>::serialize(Core::Archive &archive)
+  {
+    const auto   array_names = PointArrays<dim>::array_names(names);
+    unsigned int index       = 0;
+    working_set.for_each_array([&](auto &array) {
+      archive.distributed("points/" + array_names[index++], array);
+    });
+  }
+
+  template <int dim>
   std::size_t
   MaterialPoints<dim>::memory_consumption() const
   {

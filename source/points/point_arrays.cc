@@ -25,6 +25,24 @@ namespace mpm_granular::Points
     });
   }
 
+  template <int dim>
+  std::vector<std::string>
+  PointArrays<dim>::array_names(const std::vector<std::string> &history_names)
+  {
+    std::vector<std::string> names;
+    for (const std::string vector : {"position_", "velocity_"})
+      for (unsigned int d = 0; d < dim; ++d)
+        names.push_back(vector + "xyz"[d]);
+    for (unsigned int s = 0; s < n_stress<dim>; ++s)
+      names.push_back(std::string("stress_") + stress_name[s]);
+    names.insert(names.end(), {"mass", "volume"});
+    for (unsigned int slot = 0; slot < history_names.size(); ++slot)
+      names.push_back("history_" + std::to_string(slot) + "_" +
+                      history_names[slot]);
+    names.insert(names.end(), {"cell", "id", "material"});
+    return names;
+  }
+
   template struct PointArrays<2>;
   template struct PointArrays<3>;
 } // namespace mpm_granular::Points

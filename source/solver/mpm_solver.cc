@@ -218,6 +218,13 @@ namespace mpm_granular::Solver
         last_balance = n_steps;
         ++load.n_redistributions;
       }
+    bring_home();
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::bring_home()
+  {
     points.migrate();
     const SweepResult result = sweep.project(points.arrays(), fields);
     motion                   = result.motion;

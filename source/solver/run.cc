@@ -32,7 +32,8 @@ namespace mpm_granular::Solver
     , info(info)
     , is_first_rank(Utilities::MPI::this_mpi_process(info.communicator) == 0)
     , solver(parameters, info.input_file, info.communicator)
-    , folder(parameters.output.directory, info.overwrite || info.check_only)
+    , folder(parameters.output.directory,
+             info.overwrite || info.check_only || !info.checkpoint.empty())
     , console(is_first_rank)
     , points_output(in_folder(parameters.output, folder),
                     solver.material_laws(),
@@ -42,9 +43,14 @@ namespace mpm_granular::Solver
                Utilities::MPI::n_mpi_processes(info.communicator))
     , field_times(parameters.output.interval)
     , observable_times(parameters.output.observables_interval)
+    , checkpoints(folder.path(),
+                  parameters.checkpoint.n_kept,
+                  info.communicator)
+    , checkpoint_trigger(parameters.checkpoint, info.communicator)
     , in_steps(timings.section("time steps"))
     , in_observables(timings.section("observables"))
     , in_fields(timings.section("output of fields"))
+    , in_checkpoints(timings.section("checkpoints"))
   {}
 
   template <int dim>
@@ -126,11 +132,22 @@ namespace mpm_granular::Solver
   Outcome
   Run<dim>::execute()
   {
-    const auto report = preflight();
-    manifest.warnings = report.warnings;
+    const auto report    = preflight();
+    const bool continues = !info.checkpoint.empty();
+    manifest.dimension   = dim;
+    manifest.n_cells     = report.n_cells;
+    manifest.n_nodes     = report.n_nodes;
+    manifest.n_points    = report.n_points;
+    manifest.warnings    = report.warnings;
+    if (continues)
+      restore();
     if (!info.check_only)
-      open_output();
+      continues ? reopen_output() : open_output();
     console.say(report.text());
+    for (const auto &remark : info.remarks)
+      console.say(remark);
+    if (continues)
+      console.say(manifest.resumed.back());
     if (info.check_only)
       return Outcome::finished;
 
@@ -157,20 +174,23 @@ namespace mpm_granular::Solver
   void
   Run<dim>::open_output()
   {
-    manifest.dimension = dim;
-    manifest.n_cells   = solver.background_mesh().n_cells();
-    manifest.n_nodes   = solver.background_mesh().n_nodes();
-    manifest.n_points  = solver.n_points();
     Output::on_first_rank(info.communicator, [&] {
       folder.prepare();
       console.open_log(folder.file("log.txt"));
-      Output::write_atomically(folder.file("parameters.prm"),
-                               [&](std::ostream &file) {
-                                 file << info.parameter_text;
-                               });
+      write_parameters();
       parameters.observables.open(folder.file("observables.csv"));
       manifest.write(folder.file("manifest.json"));
     });
+  }
+
+  template <int dim>
+  void
+  Run<dim>::write_parameters() const
+  {
+    Output::write_atomically(folder.file("parameters.prm"),
+                             [&](std::ostream &file) {
+                               file << info.parameter_text;
+                             });
   }
 
   template <int dim>
@@ -185,12 +205,27 @@ namespace mpm_granular::Solver
   Outcome
   Run<dim>::compute()
   {
+    if (info.checkpoint.empty())
+      {
+        write_observables();
+        write_fields();
+      }
+    const Outcome outcome = take_steps();
+    // Before the last output, which the run has only because it ends here.
+    if ((outcome == Outcome::interrupted || parameters.checkpoint.at_end) &&
+        checkpoint_step != solver.step())
+      write_checkpoint();
+    return outcome;
+  }
+
+  template <int dim>
+  Outcome
+  Run<dim>::take_steps()
+  {
     Output::Progress progress(console,
-                              0.,
+                              before.time,
                               parameters.end_time,
                               parameters.output.progress_interval);
-    write_observables();
-    write_fields();
     while (solver.time() < parameters.end_time)
       {
         // The signal may reach the ranks at different steps.
@@ -205,6 +240,8 @@ namespace mpm_granular::Solver
           write_observables();
         if (field_times.passes(solver.time()))
           write_fields();
+        if (checkpoint_trigger.is_due(solver.step(), solver.time()))
+          write_checkpoint();
         if (is_first_rank && progress.is_due())
           progress.report({solver.time(),
                            solver.time_step(),
@@ -276,8 +313,8 @@ namespace mpm_granular::Solver
     const double bytes =
       Utilities::MPI::sum(double(solver.material_points().memory_consumption()),
                           info.communicator);
-    const Output::Summary summary{solver.time(),
-                                  solver.step(),
+    const Output::Summary summary{solver.time() - before.time,
+                                  unsigned(solver.step() - before.n_steps),
                                   n_point_steps,
                                   timings.seconds(in_steps),
                                   bytes / solver.n_points()};
@@ -285,10 +322,10 @@ namespace mpm_granular::Solver
       Utilities::MPI::sum(std::uint64_t(solver.n_lost_points()),
                           info.communicator);
     manifest.n_steps           = solver.step();
-    manifest.n_point_steps     = n_point_steps;
+    manifest.n_point_steps     = before.n_point_steps + n_point_steps;
     manifest.n_files           = points_output.n_files();
     manifest.simulated_time    = solver.time();
-    manifest.loop_time         = summary.loop_time;
+    manifest.loop_time         = before.loop_time + summary.loop_time;
     manifest.throughput        = Output::throughput(summary);
     manifest.bytes_per_point   = summary.bytes_per_point;
     const auto &load           = solver.load_balance();

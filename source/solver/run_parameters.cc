@@ -111,6 +111,7 @@ namespace mpm_granular::Solver
     add_section(prm, "Parallel", [&] { partition.add_parameters(prm); });
     add_section(prm, "Output", [&] { output.add_parameters(prm); });
     add_section(prm, "Observables", [&] { observables.add_parameters(prm); });
+    add_section(prm, "Checkpoint", [&] { checkpoint.add_parameters(prm); });
   }
 
   template <int dim>
@@ -142,6 +143,15 @@ namespace mpm_granular::Solver
     time_step.check();
     output.check();
     observables.check();
+    checkpoint.check();
+  }
+
+  const std::vector<std::string> &
+  changeable_on_resume()
+  {
+    static const std::vector<std::string> paths{
+      "End time", "Parallel", "Output", "Observables", "Checkpoint"};
+    return paths;
   }
 
   template struct Material<2>;

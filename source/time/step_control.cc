@@ -104,4 +104,10 @@ namespace mpm_granular::Time
     const double n_steps = std::ceil(rest / step * (1. - 1e-12));
     return n_steps <= 1. ? rest : std::min(step, rest / n_steps);
   }
+
+  void
+  StepControl::serialize(Core::Archive &archive)
+  {
+    archive.replicated("time/last_free_step", last_step);
+  }
 } // namespace mpm_granular::Time

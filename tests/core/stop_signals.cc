@@ -1,4 +1,5 @@
-// The first signal only asks to stop, the second one ends the program.
+// The first signal only asks to stop, the second one ends the program. SIGUSR1
+// asks for one checkpoint, however often it came.
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,9 +17,14 @@ main()
   const pid_t child = fork();
   if (child == 0)
     {
-      Core::catch_stop_signals();
-      if (Core::stop_requested())
+      Core::catch_signals();
+      if (Core::stop_requested() || Core::take_checkpoint_request())
         _exit(1);
+      raise(SIGUSR1);
+      raise(SIGUSR1);
+      if (!Core::take_checkpoint_request() || Core::take_checkpoint_request() ||
+          Core::stop_requested())
+        _exit(4);
       raise(SIGINT);
       if (!Core::stop_requested() || Core::stop_signal() != SIGINT)
         _exit(2);

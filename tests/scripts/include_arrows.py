@@ -19,10 +19,11 @@ ALLOWED = {
     "momentum": {"grid", "mesh"},
     "boundary": {"grid", "mesh"},
     "time": {"mesh"},
+    "checkpoint": set(),
     "output": {"points", "mesh", "materials"},
     "observables": {"points", "mesh", "materials"},
     "solver": {"mesh", "points", "grid", "materials", "transfer", "momentum",
-               "boundary", "time", "output", "observables"},
+               "boundary", "time", "output", "observables", "checkpoint"},
 }
 # core is the lowest room; parameters may use it, not the other way round.
 NOT_EVERYWHERE = {"core": {"parameters"}}

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <mpm_granular/core/archive.h>
 #include <mpm_granular/grid/cell_sums.h>
 #include <mpm_granular/grid/shared_nodes.h>
 #include <mpm_granular/mesh/background_mesh.h>
@@ -146,6 +147,11 @@ namespace mpm_granular::Grid
     std::vector<unsigned int>    active_nodes; ///< node by slot
     std::vector<NodeSums<dim>>   sums;         ///< by node slot
     std::vector<NodeMotion<dim>> motion;       ///< by node slot
+
+    /// The sums of the cells, for checkpoints: summed again from the points
+    /// they would differ by round-off.
+    void
+    serialize(Core::Archive &archive);
 
     std::size_t
     memory_consumption() const;

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <mpm_granular/core/archive.h>
 #include <mpm_granular/mesh/background_mesh.h>
 #include <mpm_granular/parameters/parameter_group.h>
 
@@ -56,6 +57,10 @@ namespace mpm_granular::Mesh
      */
     void
     distribute(const std::vector<std::uint32_t> &n_points);
+
+    /// The owners of all cells, for checkpoints.
+    void
+    serialize(Core::Archive &archive);
 
     unsigned int
     owner(const unsigned int cell) const

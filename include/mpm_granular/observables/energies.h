@@ -43,6 +43,9 @@ namespace mpm_granular::Observables
     std::vector<double>
     values(const Snapshot<dim> &snapshot, const Frame<dim> &frame) override;
 
+    void
+    serialize(Core::Archive &archive) override;
+
   private:
     std::optional<StoredEnergy> initial;
   };

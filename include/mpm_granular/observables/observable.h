@@ -1,6 +1,7 @@
 #ifndef mpm_granular_observables_observable_h
 #define mpm_granular_observables_observable_h
 
+#include <mpm_granular/core/archive.h>
 #include <mpm_granular/core/registry.h>
 #include <mpm_granular/observables/frame.h>
 #include <mpm_granular/observables/snapshot.h>
@@ -39,6 +40,12 @@ namespace mpm_granular::Observables
      */
     virtual std::vector<double>
     values(const Snapshot<dim> &snapshot, const Frame<dim> &frame) = 0;
+
+    /// What the observable remembers, for checkpoints; names begin with
+    /// "observables/" and its own.
+    virtual void
+    serialize(Core::Archive & /*archive*/)
+    {}
   };
 
   template <int dim>

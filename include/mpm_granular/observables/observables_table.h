@@ -3,6 +3,7 @@
 
 #include <mpm_granular/observables/observable.h>
 
+#include <cstdint>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -44,6 +45,17 @@ namespace mpm_granular::Observables
     void
     open(const std::string &path);
 
+    /// Opens the file @p path of an interrupted run, cuts off the rows after
+    /// those that serialize() knows of, and goes on there.
+    /// @throws InputError if it cannot be read and written, has other columns
+    /// or fewer rows.
+    void
+    reopen(const std::string &path);
+
+    /// What the table and its observables remember, for checkpoints.
+    void
+    serialize(Core::Archive &archive);
+
     /// Evaluates all observables and appends a row, which is in the file when
     /// this returns. Without an open file it is only evaluated.
     /// @throws ComputationError if the file cannot be written.
@@ -60,6 +72,10 @@ namespace mpm_granular::Observables
     profile_text(const Snapshot<dim> &snapshot) const;
 
   private:
+    /// The line of names.
+    std::string
+    header() const;
+
     /// Position of column @p name in the table.
     unsigned int
     column_index(const std::string &name) const;
@@ -69,6 +85,7 @@ namespace mpm_granular::Observables
     std::vector<std::string>                      names;
     std::vector<double>                           row;
     std::ofstream                                 file;
+    std::uint64_t                                 n_rows = 0; ///< in the file
   };
 } // namespace mpm_granular::Observables
 

@@ -27,8 +27,9 @@ namespace mpm_granular::Output
     ~Console();
 
     /// Opens the log file @p path and writes into it what was said so far.
+    /// @param append whether what is in the file stays.
     void
-    open_log(const std::string &path);
+    open_log(const std::string &path, const bool append = false);
 
     /// Says @p text, one or more lines; the last line break is added if it is
     /// missing.

@@ -33,6 +33,20 @@ namespace mpm_granular::Output
           const Mesh::BackgroundMesh<dim> &mesh,
           const std::vector<Field>        &fields);
 
+    /// The files so far, for checkpoints.
+    void
+    serialize(Core::Archive &archive)
+    {
+      series.serialize(archive);
+    }
+
+    /// Goes on in the folder of an interrupted run, see VtuSeries::resume().
+    void
+    resume()
+    {
+      series.resume();
+    }
+
   private:
     OutputParameters parameters;
     bool             is_first_rank;

@@ -54,6 +54,9 @@ namespace mpm_granular::Output
     double       throughput        = 0.; ///< million point-steps/s
     double       bytes_per_point   = 0.;
 
+    /// Where the run was continued from, each time.
+    std::vector<std::string> resumed;
+
     /// Warnings that the user was shown.
     std::vector<std::string> warnings;
 

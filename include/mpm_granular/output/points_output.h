@@ -65,6 +65,20 @@ namespace mpm_granular::Output
       return series.n_files();
     }
 
+    /// The files so far, for checkpoints.
+    void
+    serialize(Core::Archive &archive)
+    {
+      series.serialize(archive);
+    }
+
+    /// Goes on in the folder of an interrupted run, see VtuSeries::resume().
+    void
+    resume()
+    {
+      series.resume();
+    }
+
   private:
     /// The wanted ones among all fields.
     std::vector<Field>

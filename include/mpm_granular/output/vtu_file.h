@@ -5,6 +5,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 
+#include <mpm_granular/core/archive.h>
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -96,7 +98,23 @@ namespace mpm_granular::Output
       return times_and_names.size();
     }
 
+    /// The instants of the files, for checkpoints.
+    void
+    serialize(Core::Archive &archive);
+
+    /// Goes on in the folder of an interrupted run: removes the files after
+    /// those that serialize() knows of, also from the record.
+    void
+    resume();
+
   private:
+    /// The name of a file in the folder.
+    std::string
+    file_name(const unsigned int index) const;
+
+    void
+    write_record() const;
+
     std::string                                 folder;
     std::string                                 name;
     MPI_Comm                                    communicator;

@@ -23,6 +23,9 @@ namespace mpm_granular::Parameters
     Task        task = Task::run;
     std::string file; ///< the parameter file; empty: none
 
+    /// The folder of the run to continue; empty: a new run.
+    std::string resume;
+
     /// "Section/Entry=value" of --set and of options that stand for an entry.
     std::vector<std::string> overrides;
 
@@ -34,8 +37,8 @@ namespace mpm_granular::Parameters
 
   /**
    * @param argc,argv as of main().
-   * @throws InputError for what cannot be understood, and if there is no
-   *   parameter file where one is needed.
+   * @throws InputError for what cannot be understood or does not go together,
+   *   and if there is no parameter file where one is needed.
    */
   CommandLine
   parse_command_line(const int argc, const char *const *argv);

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <mpm_granular/parameters/input_text.h>
+
 #include <string>
 #include <vector>
 
@@ -19,13 +21,13 @@ namespace mpm_granular::Parameters
   /**
    * Reads only the entry "Dimension" and passes over all else.
    *
-   * @param file the parameter file; empty: none.
+   * @param source the parameter file; without a name: none.
    * @param overrides "Section/Sub/Entry=value", stronger than the file.
    * @return 2 or 3.
    * @throws InputError if the value is none of them.
    */
   unsigned int
-  read_dimension(const std::string              &file,
+  read_dimension(const InputSource              &source,
                  const std::vector<std::string> &overrides);
 } // namespace mpm_granular::Parameters
 

@@ -2,6 +2,7 @@
 #define mpm_granular_parameters_parameter_file_h
 
 #include <mpm_granular/parameters/entry.h>
+#include <mpm_granular/parameters/input_text.h>
 #include <mpm_granular/parameters/parameter_group.h>
 
 #include <string>
@@ -15,7 +16,7 @@ namespace mpm_granular::Parameters
    * read again and again until the declared entries do not change any more.
    *
    * @param group not checked; see check().
-   * @param file the parameter file; empty: none.
+   * @param source the parameter file; without a name: none.
    * @param overrides "Section/Sub/Entry=value", stronger than the file. What
    *   the file says for a choice that an override changes to another one is
    *   passed over.
@@ -25,7 +26,7 @@ namespace mpm_granular::Parameters
    */
   std::vector<Entry>
   read(ParameterGroup                 &group,
-       const std::string              &file,
+       const InputSource              &source,
        const std::vector<std::string> &overrides = {});
 
   /// ParameterGroup::check(), with the name of the file in front of messages.

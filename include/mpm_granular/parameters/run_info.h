@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace mpm_granular::Parameters
 {
@@ -19,6 +20,12 @@ namespace mpm_granular::Parameters
 
     /// Every entry with the value used, as a complete parameter file.
     std::string parameter_text;
+
+    /// The checkpoint to continue from; empty: a new run.
+    std::string checkpoint;
+
+    /// What the user should know before the run starts.
+    std::vector<std::string> remarks;
 
     /// Whether the files of an earlier run may be replaced.
     bool overwrite = false;

@@ -3,6 +3,7 @@
 
 #include <deal.II/particles/particle_handler.h>
 
+#include <mpm_granular/core/archive.h>
 #include <mpm_granular/mesh/background_mesh.h>
 #include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/points/point_arrays.h>
@@ -98,6 +99,10 @@ namespace mpm_granular::Points
     /// @return how many there were.
     std::size_t
     remove_lost();
+
+    /// The working set, for checkpoints.
+    void
+    serialize(Core::Archive &archive);
 
     /// Memory of both forms [bytes].
     std::size_t

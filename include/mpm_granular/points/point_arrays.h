@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace mpm_granular::Points
@@ -79,6 +80,11 @@ namespace mpm_granular::Points
       return -(1. / 3.) *
              (stress[0][index] + stress[1][index] + stress[2][index]);
     }
+
+    /// Names of the arrays in the order of for_each_array().
+    /// @param history_names names of the slots of the constitutive laws.
+    static std::vector<std::string>
+    array_names(const std::vector<std::string> &history_names);
 
     /// Calls @p action with every array, of whatever element type: the one
     /// list of what a point consists of.

@@ -42,6 +42,16 @@ namespace mpm_granular::Solver
     void
     advance_one_step(const double next_event);
 
+    /**
+     * All that the next step depends on, for checkpoints. Read on the number of
+     * processes that wrote it, the run goes on bit for bit; on another one the
+     * grid is summed from the points again, which differs by round-off.
+     *
+     * @throws InputError if the state belongs to another mesh.
+     */
+    void
+    serialize(Core::Archive &archive);
+
     /// The state now, for observables and output.
     Observables::Snapshot<dim>
     snapshot() const;
@@ -163,6 +173,8 @@ namespace mpm_granular::Solver
     agree_on_state();
     void
     balance();
+    void
+    bring_home();
 
     /// Calls @p action, which may fail on this rank alone; the error is kept
     /// for agree_on_state().

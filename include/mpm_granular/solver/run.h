@@ -1,6 +1,8 @@
 #ifndef mpm_granular_solver_run_h
 #define mpm_granular_solver_run_h
 
+#include <mpm_granular/checkpoint/checkpoint_folder.h>
+#include <mpm_granular/checkpoint/checkpoint_trigger.h>
 #include <mpm_granular/output/console.h>
 #include <mpm_granular/output/grid_output.h>
 #include <mpm_granular/output/manifest.h>
@@ -13,6 +15,7 @@
 #include <mpm_granular/solver/mpm_solver.h>
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace mpm_granular::Solver
@@ -21,7 +24,7 @@ namespace mpm_granular::Solver
   enum class Outcome
   {
     finished,
-    interrupted ///< by a signal, after a last output
+    interrupted ///< by a signal, after a checkpoint and a last output
   };
 
   /**
@@ -53,14 +56,26 @@ namespace mpm_granular::Solver
   private:
     void
     open_output();
+    void
+    write_parameters() const;
     Outcome
     compute();
+    Outcome
+    take_steps();
     double
     next_event() const;
     void
     write_observables();
     void
     write_fields();
+    void
+    write_checkpoint();
+    void
+    serialize(Core::Archive &archive);
+    void
+    restore();
+    void
+    reopen_output();
     void
     close_output(const Output::Manifest::Outcome outcome,
                  const std::string              &message);
@@ -77,10 +92,29 @@ namespace mpm_granular::Solver
     Output::Timings           timings;
     Output::Schedule          field_times;
     Output::Schedule          observable_times;
-    std::uint64_t             n_point_steps = 0;
-    double                    last_written  = -1.; ///< fields, time [s]
 
-    const unsigned int in_steps, in_observables, in_fields; ///< of timings
+    Checkpoint::CheckpointFolder  checkpoints;
+    Checkpoint::CheckpointTrigger checkpoint_trigger;
+
+    std::uint64_t n_point_steps   = 0;
+    double        last_written    = -1.;   ///< fields, time [s]
+    std::uint64_t checkpoint_step = never; ///< of the newest checkpoint
+
+    /// What had been done when the run was continued, so that speeds are of
+    /// this start and counts of all.
+    struct Before
+    {
+      double        time          = 0.; ///< [s]
+      std::uint64_t n_steps       = 0;
+      std::uint64_t n_point_steps = 0;
+      double        loop_time     = 0.; ///< [s]
+    } before;
+
+    static constexpr std::uint64_t never =
+      std::numeric_limits<std::uint64_t>::max();
+
+    const unsigned int in_steps, in_observables, in_fields,
+      in_checkpoints; ///< of timings
   };
 } // namespace mpm_granular::Solver
 

@@ -2,6 +2,7 @@
 #define mpm_granular_solver_run_parameters_h
 
 #include <mpm_granular/boundary/boundary_manager.h>
+#include <mpm_granular/checkpoint/checkpoint_parameters.h>
 #include <mpm_granular/materials/constitutive_law.h>
 #include <mpm_granular/mesh/mesh_source.h>
 #include <mpm_granular/mesh/partition.h>
@@ -16,6 +17,7 @@
 #include <mpm_granular/transfer/velocity_update.h>
 
 #include <string>
+#include <vector>
 
 namespace mpm_granular::Solver
 {
@@ -55,6 +57,7 @@ namespace mpm_granular::Solver
     Mesh::PartitionParameters                    partition;
     Output::OutputParameters                     output;
     Observables::ObservablesTable<dim>           observables;
+    Checkpoint::CheckpointParameters             checkpoint;
 
     void
     add_parameters(dealii::ParameterHandler &prm) override;
@@ -62,6 +65,11 @@ namespace mpm_granular::Solver
     void
     check() const override;
   };
+
+  /// Entries and sections that may be changed when a run is continued: those
+  /// that have no influence on the motion, but for round-off.
+  const std::vector<std::string> &
+  changeable_on_resume();
 } // namespace mpm_granular::Solver
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef mpm_granular_time_step_control_h
 #define mpm_granular_time_step_control_h
 
+#include <mpm_granular/core/archive.h>
 #include <mpm_granular/parameters/parameter_group.h>
 
 #include <string>
@@ -63,6 +64,10 @@ namespace mpm_granular::Time
     next_step(const StepLimits &limits,
               const double      time,
               const double      next_event);
+
+    /// What the growth of steps depends on, for checkpoints.
+    void
+    serialize(Core::Archive &archive);
 
   private:
     double

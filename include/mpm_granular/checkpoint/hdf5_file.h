@@ -1,0 +1,110 @@
+#ifndef mpm_granular_checkpoint_hdf5_file_h
+#define mpm_granular_checkpoint_hdf5_file_h
+
+#include <deal.II/base/mpi.h>
+
+#include <hdf5.h>
+
+#include <mpm_granular/core/archive.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace mpm_granular::Checkpoint
+{
+  /// HDF5 could not do what it was asked to.
+  class Hdf5Error : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /// An array as it lies in a file: all rows, and those of this process.
+  struct Extent
+  {
+    std::uint64_t n_rows       = 0; ///< of all processes
+    std::uint64_t first_row    = 0; ///< of this process
+    std::uint64_t n_local_rows = 0;
+    std::uint64_t width        = 1; ///< numbers a row
+  };
+
+  /**
+   * An HDF5 file that several processes write or read together. (deal.II's
+   * classes for HDF5 look at errors in Debug only, and lack the types needed
+   * here.)
+   *
+   * All functions are called by all processes. They throw Hdf5Error on all of
+   * them, even if only one has failed, so that none waits for another.
+   */
+  class Hdf5File
+  {
+  public:
+    enum class Mode
+    {
+      create,
+      read
+    };
+
+    Hdf5File(const std::string &path, const Mode mode, const MPI_Comm comm);
+
+    /// Closes the file without looking at errors, unless that has been done.
+    ~Hdf5File();
+
+    Hdf5File(const Hdf5File &) = delete;
+    Hdf5File &
+    operator=(const Hdf5File &) = delete;
+
+    /// Closes the file, so that all of it is handed to the system.
+    void
+    close();
+
+    /// The type and the extent of the array @p name; nothing is of this
+    /// process yet. A text has one row.
+    Extent
+    extent(const std::string &name, Core::NumberType &type) const;
+
+    /// Makes the array @p name with groups as needed. Texts, arrays of
+    /// characters, have the type string.
+    void
+    write(const std::string     &name,
+          const Core::NumberType type,
+          const Extent          &extent,
+          const void            *data);
+
+    /// Reads this process's rows of the array @p name.
+    void
+    read(const std::string     &name,
+         const Core::NumberType type,
+         const Extent          &extent,
+         void                  *data) const;
+
+    /// An attribute of the array @p object, or of the file with "/".
+    void
+    write_attribute(const std::string  &object,
+                    const std::string  &name,
+                    const std::uint64_t value);
+
+    std::uint64_t
+    read_attribute(const std::string &object, const std::string &name) const;
+
+  private:
+    /// Throws unless @p is_good on all processes.
+    void
+    require_on_all(const bool is_good, const std::string &what) const;
+
+    /// Writes or reads the rows of an open data set. @return whether that
+    /// worked on this process.
+    static bool
+    transfer(const Mode             mode,
+             const hid_t            dataset,
+             const Core::NumberType type,
+             const Extent          &extent,
+             void                  *data);
+
+    const MPI_Comm comm;
+    hid_t          file = -1;
+  };
+} // namespace mpm_granular::Checkpoint
+
+#endif

@@ -1,0 +1,20 @@
+#ifndef mpm_granular_mesh_fingerprint_h
+#define mpm_granular_mesh_fingerprint_h
+
+#include <mpm_granular/mesh/background_mesh.h>
+
+#include <cstdint>
+
+namespace mpm_granular::Mesh
+{
+  /**
+   * A number that tells whether a mesh is the same as another one: it depends
+   * on the numbers of cells and nodes, the vertices of each cell, and the
+   * boundaries with their names; not on how cells and nodes are numbered.
+   */
+  template <int dim>
+  std::uint64_t
+  fingerprint(const BackgroundMesh<dim> &mesh);
+} // namespace mpm_granular::Mesh
+
+#endif
