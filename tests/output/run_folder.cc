@@ -94,6 +94,8 @@ main()
                                  "points/points-00000.vtu",
                                  "points/points-123456.vtu",
                                  "grid/grid-00001.vtu",
+                                 "checkpoint/step-0000000100.h5",
+                                 "checkpoint/step-0000000200.h5.tmp",
                                  "points.pvd.tmp",
                                  "points/points-00002.vtu.tmp"})
     touch(folder.file(name));
@@ -101,6 +103,7 @@ main()
                                  "my points.pvd",
                                  "points/points-00000.vtu.bak",
                                  "points/mine.vtu",
+                                 "checkpoint/mine.h5",
                                  "pictures/front.png",
                                  "other/manifest.json"})
     touch(folder.file(name));

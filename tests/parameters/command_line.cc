@@ -16,7 +16,10 @@ show(const std::vector<const char *> &arguments)
     std::cout << line.text << std::endl
               << "  task " << static_cast<int>(line.task) << ", file '"
               << line.file << "', overwrite " << line.overwrite << ", style "
-              << static_cast<int>(line.print_style) << std::endl;
+              << static_cast<int>(line.print_style);
+    if (!line.resume.empty())
+      std::cout << ", resume '" << line.resume << "'";
+    std::cout << std::endl;
     for (const auto &override : line.overrides)
       std::cout << "  " << override << std::endl;
     throw InputError("");
@@ -39,12 +42,18 @@ main()
   show({"wall.prm", "--print-parameters=markdown"});
   show({"--help"});
   show({"--version", "--check"});
+  show({"--resume", "there", "--set", "End time=3"});
+  show({"--check", "--resume=there"});
 
   show({});
   show({"--check"});
   show({"one.prm", "two.prm"});
   show({"--chek", "wall.prm"});
   show({"wall.prm", "--resume", "there"});
+  show({"--resume", "there", "--overwrite"});
+  show({"--resume", "there", "--output", "elsewhere"});
+  show({"--resume", "there", "--print-parameters"});
+  show({"--resume"});
   show({"wall.prm", "-c"});
   show({"wall.prm", "--set"});
   show({"wall.prm", "--output=a", "--output=b"});

@@ -20,8 +20,8 @@ SEED = random.randrange(1000000)
 random.seed(SEED)
 RESULTS = ["observables.csv", "profile.csv", "points.pvd", "points/*.vtu",
            "grid.pvd", "grid/*.vtu"]
-END = "0.1" if IS_DEBUG else "0.3"
-OFTEN = ["--set=Checkpoint/Step interval=3", "--set=Checkpoint/Number kept=3"]
+END = "0.1" if IS_DEBUG else "0.15"
+OFTEN = ["--set=Checkpoint/Step interval=5", "--set=Checkpoint/Number kept=3"]
 
 
 def column(dim, end=END):
