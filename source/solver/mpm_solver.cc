@@ -219,6 +219,8 @@ namespace mpm_granular::Solver
         ++load.n_redistributions;
       }
     bring_home();
+    ++load.n_migrations;
+    load.seconds += timer.wall_time();
   }
 
   template <int dim>
@@ -230,8 +232,6 @@ namespace mpm_granular::Solver
     motion                   = result.motion;
     n_runs                   = result.n_runs;
     n_runs_in_order          = 0;
-    ++load.n_migrations;
-    load.seconds += timer.wall_time();
   }
 
   template <int dim>

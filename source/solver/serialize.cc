@@ -41,8 +41,11 @@ namespace mpm_granular::Solver
     archive.replicated("solver/time_step", last_time_step);
     archive.replicated("solver/since_filter", since_filter);
     archive.replicated("solver/n_steps", n_steps);
-    archive.replicated("solver/n_balanced", n_balanced);
     archive.replicated("solver/last_balance", last_balance);
+    archive.replicated("load/n_redistributions", load.n_redistributions);
+    archive.replicated("load/n_migrations", load.n_migrations);
+    archive.replicated("load/seconds", load.seconds);
+    archive.replicated("load/largest_imbalance", load.largest_imbalance);
     step_control.serialize(archive);
     serialize_summed(archive, "n_lost", n_lost);
     serialize_summed(archive, "dissipated", ledger.dissipated);
