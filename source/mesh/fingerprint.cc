@@ -33,7 +33,7 @@ namespace mpm_granular::Mesh
   {
     std::uint64_t cells = 0, faces = 0, names = 0;
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      cells += hash_of_nodes(mesh, mesh.cell(cell).node);
+      cells = combined(cells, hash_of_nodes(mesh, mesh.cell(cell).node));
     for (const auto &face : mesh.boundary_faces())
       faces += combined(face.boundary, hash_of_nodes(mesh, face.node));
     for (const auto &[name, id] : mesh.boundary_names())

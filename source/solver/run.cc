@@ -321,25 +321,26 @@ namespace mpm_granular::Solver
     manifest.n_lost_points =
       Utilities::MPI::sum(std::uint64_t(solver.n_lost_points()),
                           info.communicator);
-    manifest.n_steps           = solver.step();
-    manifest.n_point_steps     = before.n_point_steps + n_point_steps;
-    manifest.n_files           = points_output.n_files();
-    manifest.simulated_time    = solver.time();
-    manifest.loop_time         = before.loop_time + summary.loop_time;
-    manifest.throughput        = Output::throughput(summary);
-    manifest.bytes_per_point   = summary.bytes_per_point;
-    const auto &load           = solver.load_balance();
-    manifest.n_redistributions = load.n_redistributions;
-    manifest.largest_imbalance = load.largest_imbalance;
-    const auto &sent           = solver.nodal_fields().shared.traffic();
-    if (solver.step() > 0)
+    manifest.n_steps            = solver.step();
+    manifest.n_point_steps      = before.n_point_steps + n_point_steps;
+    manifest.n_files            = points_output.n_files();
+    manifest.simulated_time     = solver.time();
+    manifest.loop_time          = before.loop_time + summary.loop_time;
+    manifest.throughput         = Output::throughput(summary);
+    manifest.bytes_per_point    = summary.bytes_per_point;
+    const auto &load            = solver.load_balance();
+    manifest.n_redistributions  = load.n_redistributions;
+    manifest.largest_imbalance  = load.largest_imbalance;
+    const auto         &sent    = solver.nodal_fields().shared.traffic();
+    const std::uint64_t n_steps = solver.step() - before.n_steps;
+    if (n_steps > 0)
       {
         manifest.messages_per_step =
           Utilities::MPI::max(double(sent.n_messages), info.communicator) /
-          solver.step();
+          n_steps;
         manifest.bytes_sent_per_step =
           Utilities::MPI::max(double(sent.n_bytes), info.communicator) /
-          solver.step();
+          n_steps;
       }
     manifest.end(outcome, message);
     Output::on_first_rank(info.communicator, [&] {

@@ -33,9 +33,11 @@ namespace mpm_granular::Solver
     const std::uint64_t fingerprint_now = Mesh::fingerprint(mesh);
     std::uint64_t       fingerprint     = fingerprint_now;
     archive.replicated("mesh/fingerprint", fingerprint);
-    require(fingerprint == fingerprint_now,
-            "The mesh is not the one the checkpoint was written with; has the "
-            "mesh file changed? A run can only go on with its own mesh.");
+    require(
+      fingerprint == fingerprint_now,
+      "The mesh is not the one the checkpoint was written with; has the "
+      "mesh file changed, or the version of the program, which numbers the "
+      "cells? A run can only go on with its own mesh.");
 
     archive.replicated("solver/time", current_time);
     archive.replicated("solver/time_step", last_time_step);

@@ -9,8 +9,8 @@ namespace mpm_granular::Mesh
 {
   /**
    * A number that tells whether a mesh is the same as another one: it depends
-   * on the numbers of cells and nodes, the vertices of each cell, and the
-   * boundaries with their names; not on how cells and nodes are numbered.
+   * on the numbers of cells and nodes, the vertices of each cell, the order of
+   * the cells, and the boundaries with their names; not on the ranks.
    */
   template <int dim>
   std::uint64_t
