@@ -48,7 +48,9 @@ namespace mpm_granular::Core
         std::cerr << "mpm_granular: error" << who << ": " << message
                   << std::endl;
       };
-      if (!MPI::job_supports_mpi() || MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+      int is_parallel = 0;
+      MPI_Initialized(&is_parallel);
+      if (is_parallel == 0 || MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
         say("");
       else
         {
