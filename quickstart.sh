@@ -22,7 +22,8 @@ Usage: ./quickstart.sh run | test
   test   the same set-up, then build Release and Debug and run every test
 
 Packages are installed by apt, as root or through sudo, and only if some are
-missing. Tried on Debian 12; on Debian 13 only in part; Ubuntu and others are untried.
+missing. Tried on Debian 12; on Debian 13 without the tests; Ubuntu and others
+are untried.
 END
 }
 
@@ -45,7 +46,7 @@ install_packages() {
   case $release in
     "debian 12") ;;
     "debian 13") packages+=(mold) ;; # its deal.II links with -fuse-ld=mold
-    *) say "Untried on this system ($release): Debian 12 and 13 are the tried ones" ;;
+    *) say "Untried on this system ($release); tried on Debian 12, on Debian 13 in part" ;;
   esac
 
   local missing=() package
