@@ -122,9 +122,8 @@ namespace mpm_granular::Points
                                });
         working_set.material[p] = static_cast<std::uint8_t>(
           properties[n_properties<dim>(names.size()) - 1]);
-        working_set.id[p] = particle.get_id();
-        working_set.cell[p] =
-          mesh.flat_index(particle.get_surrounding_cell());
+        working_set.id[p]   = particle.get_id();
+        working_set.cell[p] = mesh.flat_index(particle.get_surrounding_cell());
         ++p;
       }
     particles.clear_particles();

@@ -272,6 +272,8 @@ namespace mpm_granular::Solver
     if (!parameters.output.write_grid)
       return;
     // Mass and velocity of all nodes, each from one of the ranks that know it.
+    // They follow from the points alone, also in a run that is continued.
+    solver.gather_nodes();
     const auto         &fields   = solver.nodal_fields();
     constexpr int       n_values = 1 + dim;
     std::vector<double> values(solver.background_mesh().n_nodes() * n_values,
@@ -282,7 +284,8 @@ namespace mpm_granular::Solver
           double *of_node = &values[fields.active_nodes[slot] * n_values];
           of_node[0]      = fields.sums[slot].mass;
           for (unsigned int d = 0; d < dim; ++d)
-            of_node[1 + d] = fields.motion[slot].velocity[d];
+            of_node[1 + d] =
+              fields.sums[slot].momentum[d] / fields.sums[slot].mass;
         }
     Utilities::MPI::sum(values, info.communicator, values);
     grid_output.write(

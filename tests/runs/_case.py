@@ -80,6 +80,18 @@ def rollers(dim):
     return boundaries(walls=("roller", names[:-1]), top=("free", names[-1:]))
 
 
+def escaping_body():
+    """A case without walls: the body falls out of the mesh."""
+    return f"""
+set Dimension = 2
+set End time  = 2
+{box(2, [0., 0.], (1., 1.), (8, 8))}
+{body(2, [.25, .25], (.75, .75),
+      material=ELASTIC.format(density=1000, young=1e5, poisson=.3))}
+{boundaries(all=("free", ["x_min", "x_max", "y_min", "y_max"]))}
+"""
+
+
 class Result:
     """The table of observables of a run, and what it said."""
 

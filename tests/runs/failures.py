@@ -3,20 +3,12 @@ and place, and a last output; or, if wanted, goes on without the point."""
 
 import json
 
-from _case import ELASTIC, Checks, Folder, body, boundaries, box
+from _case import Checks, Folder, escaping_body
 
 checks = Checks()
-CASE = f"""
-set Dimension = 2
-set End time  = 2
-{box(2, [0., 0.], (1., 1.), (8, 8))}
-{body(2, [.25, .25], (.75, .75),
-      material=ELASTIC.format(density=1000, young=1e5, poisson=.3))}
-{boundaries(all=("free", ["x_min", "x_max", "y_min", "y_max"]))}
-"""
 
 with Folder() as folder:
-    (folder.path / "case.prm").write_text(CASE)
+    (folder.path / "case.prm").write_text(escaping_body())
     process = folder.run("case.prm", "--output", "out")
     checks.that(process.returncode == 2, "a lost point: exit code 2",
                 process.stderr)
@@ -31,7 +23,7 @@ with Folder() as folder:
     checks.that(len(pieces) >= 2, "a lost point: a last output", str(pieces))
 
 with Folder() as folder:
-    (folder.path / "case.prm").write_text(CASE)
+    (folder.path / "case.prm").write_text(escaping_body())
     process = folder.run("case.prm", "--output", "out", "--set",
                          "Points/Remove lost points=true", "--set",
                          "End time=0.3")

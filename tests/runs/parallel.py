@@ -6,7 +6,7 @@ import json
 import os
 
 from _case import (ELASTIC, INPUTS, Checks, Folder, Result, body, boundaries,
-                   box)
+                   box, escaping_body)
 
 checks = Checks()
 IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
@@ -107,14 +107,7 @@ set End time  = 0.01
 checks.that(few.exit_code == 0, "a process without points", few.text[-2000:])
 
 # Errors.
-lost = run(3, f"""
-set Dimension = 2
-set End time  = 2
-{box(2, [0., 0.], (1., 1.), (8, 8))}
-{body(2, [.25, .25], (.75, .75),
-      material=ELASTIC.format(density=1000, young=1e5, poisson=.3))}
-{boundaries(all=("free", ["x_min", "x_max", "y_min", "y_max"]))}
-""")
+lost = run(3, escaping_body())
 checks.that(lost.exit_code == 2 and len(lost.errors) == 1 and
             "has left the mesh" in lost.errors[0] and
             lost.manifest.get("outcome") == "failed",

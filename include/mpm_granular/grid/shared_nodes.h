@@ -26,8 +26,8 @@ namespace mpm_granular::Grid
      * Finds the nodes that are active here and elsewhere, and sums their
      * values. To be called by all ranks, after the active nodes have changed.
      *
-     * @param slots slot of each node of the mesh, or no_slot if it is not
-     *   active.
+     * @param slot_of gives the slot of a node of the mesh, or no_slot if it is
+     *   not active.
      * @param n_slots number of active nodes.
      * @param values @p n_values numbers per active node, by slot.
      */

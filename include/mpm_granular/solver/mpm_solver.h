@@ -75,6 +75,14 @@ namespace mpm_granular::Solver
       return fields;
     }
 
+    /// Sums mass and momentum of the nodes from the points as they are now. The
+    /// next step does so anyway; this is for looking at them in between.
+    void
+    gather_nodes()
+    {
+      fields.gather_nodes();
+    }
+
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &
     material_laws() const
     {
