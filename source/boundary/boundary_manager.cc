@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/quadrature.h>
+#include <deal.II/grid/reference_cell.h>
 
 #include <mpm_granular/boundary/boundary_manager.h>
 
@@ -65,20 +66,29 @@ namespace mpm_granular::Boundary
 
   template <int dim>
   BoundaryManager<dim>::BoundaryManager(const BoundarySettings<dim> &settings,
-                                        const Mesh::BackgroundMesh<dim> &mesh)
-    : mesh(mesh)
-    , entry_of_node(mesh.n_nodes(), none)
+                                        const Mesh::BackgroundMesh<dim> &mesh,
+                                        const MPI_Comm communicator)
+    : settings(settings)
+    , mesh(mesh)
+    , communicator(communicator)
   {
-    find_directions(settings);
+    reinit();
   }
 
   template <int dim>
   void
-  BoundaryManager<dim>::find_directions(const BoundarySettings<dim> &settings)
+  BoundaryManager<dim>::reinit()
   {
+    entry_of_node.assign(mesh.n_nodes(), none);
+    nodes.clear();
+    loaded_faces.clear();
+
     std::set<types::boundary_id> without_condition;
     for (const auto &face : mesh.boundary_faces())
       without_condition.insert(face.boundary);
+    if (mesh.is_distributed())
+      without_condition =
+        Utilities::MPI::compute_set_union(without_condition, communicator);
 
     for (const auto &name : settings.all_names())
       {
@@ -97,9 +107,14 @@ namespace mpm_granular::Boundary
           if (ids.count(face.boundary) > 0)
             {
               for (const unsigned int node : face.node)
-                add_normal(normals[node], face);
+                if (node != Mesh::unknown_node)
+                  add_normal(normals[node], face);
               if (condition.has_traction())
-                loaded_faces.push_back({&condition, face});
+                {
+                  has_loads = true;
+                  if (face.cell != Mesh::unknown_cell)
+                    loaded_faces.push_back({&condition, face});
+                }
             }
 
         for (const auto &[node, node_normals] : normals)
@@ -195,43 +210,69 @@ namespace mpm_granular::Boundary
   BoundaryManager<dim>::add_tractions(Grid::NodalFields<dim> &fields,
                                       const double            time) const
   {
-    if (loaded_faces.empty())
+    if (!has_loads)
       return;
-    const QGaussSimplex<dim - 1> quadrature(2);
-    double                       reference_area = 0.;
+    // A face is loaded if any rank has points in its cell; the first of these
+    // ranks adds the load, and nodes get the sum over the ranks.
+    const auto                  is_first = is_first_in_cells(fields);
+    std::vector<Tensor<1, dim>> loads(fields.n_active_nodes());
+
+    const ReferenceCell face_cell =
+      mesh.reference_cell().face_reference_cell(0);
+    const auto quadrature =
+      face_cell.template get_gauss_type_quadrature<dim - 1>(2);
+    double reference_area = 0.;
     for (const double weight : quadrature.get_weights())
       reference_area += weight;
 
-    // A face is loaded if any rank has points in its cell.
-    std::vector<unsigned int> has_points;
-    for (const auto &loaded : loaded_faces)
-      has_points.push_back(fields.is_active_cell(loaded.face.cell));
-    Utilities::MPI::max(has_points, fields.shared.communicator(), has_points);
-
     for (unsigned int f = 0; f < loaded_faces.size(); ++f)
-      if (has_points[f])
+      if (is_first[f])
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
-            const auto             &loaded = loaded_faces[f];
-            std::array<double, dim> shape_values; // on the face's nodes
-            shape_values[0] = 1.;
-            for (unsigned int k = 1; k < dim; ++k)
-              {
-                shape_values[k] = quadrature.point(q)[k - 1];
-                shape_values[0] -= shape_values[k];
-              }
+            const auto &condition   = *loaded_faces[f].condition;
+            const auto &face        = loaded_faces[f].face;
+            const auto  shape_value = [&](const unsigned int k) {
+              return face_cell.d_linear_shape_function(quadrature.point(q), k);
+            };
             Point<dim> place;
-            for (unsigned int k = 0; k < dim; ++k)
-              place +=
-                shape_values[k] * mesh.node_position(loaded.face.node[k]);
-            const Tensor<1, dim> force =
-              loaded.face.area * quadrature.weight(q) / reference_area *
-              loaded.condition->traction(place, time);
-            for (unsigned int k = 0; k < dim; ++k)
-              if (fields.is_active_node(loaded.face.node[k]))
-                fields.sums[fields.slot_of(loaded.face.node[k])].load +=
-                  shape_values[k] * force;
+            for (unsigned int k = 0; k < face.node.size(); ++k)
+              place += shape_value(k) * mesh.node_position(face.node[k]);
+            const Tensor<1, dim> force = face.area * quadrature.weight(q) /
+                                         reference_area *
+                                         condition.traction(place, time);
+            for (unsigned int k = 0; k < face.node.size(); ++k)
+              loads[fields.slot_of(face.node[k])] += shape_value(k) * force;
           }
+    fields.shared.sum(loads);
+    for (unsigned int slot = 0; slot < loads.size(); ++slot)
+      fields.sums[slot].load += loads[slot];
+  }
+
+  template <int dim>
+  std::vector<bool>
+  BoundaryManager<dim>::is_first_in_cells(
+    const Grid::NodalFields<dim> &fields) const
+  {
+    std::vector<bool>         result;
+    std::vector<unsigned int> occupied; // global cells
+    for (const auto &loaded : loaded_faces)
+      {
+        result.push_back(fields.is_active_cell(loaded.face.cell));
+        if (result.back())
+          occupied.push_back(mesh.global_cell(loaded.face.cell));
+      }
+    if (fields.shared.is_serial())
+      return result;
+
+    std::set<unsigned int> taken; // by ranks before this one
+    const auto all = Utilities::MPI::all_gather(communicator, occupied);
+    for (unsigned int r = 0; r < Utilities::MPI::this_mpi_process(communicator);
+         ++r)
+      taken.insert(all[r].begin(), all[r].end());
+    for (unsigned int f = 0; f < result.size(); ++f)
+      if (taken.count(mesh.global_cell(loaded_faces[f].face.cell)) > 0)
+        result[f] = false;
+    return result;
   }
 
   template struct BoundarySetting<2>;

@@ -1,38 +1,102 @@
 #include <mpm_granular/grid/nodal_fields.h>
 
 #include <cstring>
+#include <tuple>
 #include <type_traits>
 
 namespace mpm_granular::Grid
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Adds the internal forces of a cell to its nodes.
+    template <int dim>
+    void
+    add_forces(const Mesh::SimplexCell<dim>             &cell,
+               const StressSums<Mesh::SimplexCell<dim>> &internal,
+               const std::array<unsigned int, dim + 1>  &nodes,
+               std::vector<NodeSums<dim>>               &sums)
+    {
+      Tensor<2, dim> sigma; // sum_p V_p sigma_p
+      for (unsigned int s = 0; s < n_stress<dim>; ++s)
+        {
+          const unsigned int i = stress_index[s][0], j = stress_index[s][1];
+          if (i < dim && j < dim)
+            sigma[i][j] = sigma[j][i] = internal.stress[s];
+        }
+      Tensor<1, dim> rest; // forces in a cell add up to zero
+      for (unsigned int k = 0; k < dim; ++k)
+        {
+          Tensor<1, dim> force;
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              force[i] -= sigma[i][j] * cell.gradient[k][j];
+          sums[nodes[k + 1]].force += force;
+          rest -= force;
+        }
+      sums[nodes[0]].force += rest;
+    }
+
+    template <int dim>
+    void
+    add_forces(
+      const Mesh::BoxCell<dim> &,
+      const StressSums<Mesh::BoxCell<dim>>                        &internal,
+      const std::array<unsigned int, Mesh::BoxCell<dim>::n_nodes> &nodes,
+      std::vector<NodeSums<dim>>                                  &sums)
+    {
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        for (unsigned int d = 0; d < dim; ++d)
+          sums[nodes[k]].force[d] += internal.force[d][k];
+    }
+  } // namespace
+
   template <int dim>
   NodalFields<dim>::NodalFields(const Mesh::BackgroundMesh<dim> &mesh,
                                 const Mesh::Partition<dim>      &partition)
     : shared(partition)
     , mesh(mesh)
-    , cell_slot(mesh.n_cells(), 0)
-    , node_slot(mesh.n_nodes(), 0)
-  {}
+  {
+    mesh.visit([&](const auto &cells) {
+      using Cell = typename std::decay_t<decltype(cells)>::value_type;
+      all_cells  = ActiveCells<Cell>();
+    });
+    reinit();
+  }
+
+  template <int dim>
+  void
+  NodalFields<dim>::reinit()
+  {
+    clear_cells();
+    active_nodes.clear();
+    cell_slot.assign(mesh.n_cells(), 0);
+    node_slot.assign(mesh.n_nodes(), 0);
+  }
 
   template <int dim>
   void
   NodalFields<dim>::activate_nodes()
   {
     active_nodes.clear();
-    cell_nodes.resize(active_cells.size());
-    for (unsigned int c = 0; c < active_cells.size(); ++c)
-      for (unsigned int k = 0; k <= dim; ++k)
+    visit([&](auto &active) {
+      active.nodes.resize(active_cells.size());
+      for (unsigned int c = 0; c < active_cells.size(); ++c)
         {
-          const unsigned int node = mesh.cell(active_cells[c]).node[k];
-          if (!is_active_node(node))
+          const auto nodes = mesh.nodes(active_cells[c]);
+          for (unsigned int k = 0; k < nodes.size(); ++k)
             {
-              node_slot[node] = active_nodes.size();
-              active_nodes.push_back(node);
+              const unsigned int node = nodes[k];
+              if (!is_active_node(node))
+                {
+                  node_slot[node] = active_nodes.size();
+                  active_nodes.push_back(node);
+                }
+              active.nodes[c][k] = node_slot[node];
             }
-          cell_nodes[c][k] = node_slot[node];
         }
+    });
     sums.assign(active_nodes.size(), {});
     motion.resize(active_nodes.size());
   }
@@ -42,18 +106,22 @@ namespace mpm_granular::Grid
   NodalFields<dim>::gather_nodes()
   {
     activate_nodes();
-    for (unsigned int c = 0; c < active_cells.size(); ++c)
-      {
-        const CellSums<dim> &cell = cell_sums[c];
-        for (unsigned int k = 0; k <= dim; ++k)
-          {
-            NodeSums<dim> &node = sums[cell_nodes[c][k]];
-            for (unsigned int j = 0; j <= dim; ++j)
-              node.mass += cell.mass[k * (dim + 1) + j];
-            for (unsigned int d = 0; d < dim; ++d)
-              node.momentum[d] += cell.momentum[d][k];
-          }
-      }
+    visit([&](const auto &active) {
+      for (unsigned int c = 0; c < active_cells.size(); ++c)
+        {
+          const auto            &cell = active.sums[c];
+          constexpr unsigned int n_nodes =
+            std::decay_t<decltype(cell)>::n_nodes;
+          for (unsigned int k = 0; k < n_nodes; ++k)
+            {
+              NodeSums<dim> &node = sums[active.nodes[c][k]];
+              for (unsigned int j = 0; j < n_nodes; ++j)
+                node.mass += cell.mass[k * n_nodes + j];
+              for (unsigned int d = 0; d < dim; ++d)
+                node.momentum[d] += cell.momentum[d][k];
+            }
+        }
+    });
     add_forces();
     if (shared.is_serial())
       return;
@@ -111,29 +179,15 @@ namespace mpm_granular::Grid
   void
   NodalFields<dim>::add_forces()
   {
-    for (unsigned int c = 0; c < active_cells.size(); ++c)
-      {
-        const auto    &geometry = mesh.cell(active_cells[c]);
-        const auto    &stress   = cell_sums[c].stress;
-        Tensor<2, dim> sigma; // sum_p V_p sigma_p
-        for (unsigned int s = 0; s < n_stress<dim>; ++s)
-          {
-            const unsigned int i = stress_index[s][0], j = stress_index[s][1];
-            if (i < dim && j < dim)
-              sigma[i][j] = sigma[j][i] = stress[s];
-          }
-        Tensor<1, dim> rest; // forces in a cell add up to zero
-        for (unsigned int k = 0; k < dim; ++k)
-          {
-            Tensor<1, dim> force;
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int j = 0; j < dim; ++j)
-                force[i] -= sigma[i][j] * geometry.gradient[k][j];
-            sums[cell_nodes[c][k + 1]].force += force;
-            rest -= force;
-          }
-        sums[cell_nodes[c][0]].force += rest;
-      }
+    mesh.visit([&](const auto &cells) {
+      using Cell         = typename std::decay_t<decltype(cells)>::value_type;
+      const auto &active = this->template cells<Cell>();
+      for (unsigned int c = 0; c < active_cells.size(); ++c)
+        Grid::add_forces(cells[active_cells[c]],
+                         active.sums[c].internal,
+                         active.nodes[c],
+                         sums);
+    });
   }
 
   template <int dim>
@@ -144,21 +198,25 @@ namespace mpm_granular::Grid
     auto &sum_here = shared.is_serial() ? result : partial;
     if (!shared.is_serial())
       partial.assign(field.size(), Tensor<1, dim>());
-    for (unsigned int c = 0; c < active_cells.size(); ++c)
-      {
-        const auto                         &mass  = cell_sums[c].mass;
-        const auto                         &nodes = cell_nodes[c];
-        std::array<Tensor<1, dim>, dim + 1> local;
-        for (unsigned int k = 0; k <= dim; ++k)
-          local[k] = field[nodes[k]];
-        for (unsigned int k = 0; k <= dim; ++k)
-          {
-            Tensor<1, dim> sum;
-            for (unsigned int j = 0; j <= dim; ++j)
-              sum += mass[k * (dim + 1) + j] * local[j];
-            sum_here[nodes[k]] += sum;
-          }
-      }
+    visit([&](const auto &active) {
+      for (unsigned int c = 0; c < active_cells.size(); ++c)
+        {
+          const auto            &mass  = active.sums[c].mass;
+          const auto            &nodes = active.nodes[c];
+          constexpr unsigned int n_nodes =
+            std::tuple_size_v<std::decay_t<decltype(nodes)>>;
+          std::array<Tensor<1, dim>, n_nodes> local;
+          for (unsigned int k = 0; k < n_nodes; ++k)
+            local[k] = field[nodes[k]];
+          for (unsigned int k = 0; k < n_nodes; ++k)
+            {
+              Tensor<1, dim> sum;
+              for (unsigned int j = 0; j < n_nodes; ++j)
+                sum += mass[k * n_nodes + j] * local[j];
+              sum_here[nodes[k]] += sum;
+            }
+        }
+    });
     if (shared.is_serial())
       return;
     shared.sum(partial);
@@ -170,27 +228,30 @@ namespace mpm_granular::Grid
   void
   NodalFields<dim>::serialize(Core::Archive &archive)
   {
-    constexpr unsigned int n_numbers = sizeof(CellSums<dim>) / sizeof(double);
-    static_assert(std::is_trivially_copyable_v<CellSums<dim>> &&
-                    sizeof(CellSums<dim>) == n_numbers * sizeof(double),
-                  "the sums of a cell are copied as so many numbers");
     archive.distributed("grid/active_cells", active_cells);
-    std::vector<double> numbers(n_numbers * cell_sums.size());
-    if (!cell_sums.empty())
-      std::memcpy(numbers.data(),
-                  cell_sums.data(),
-                  numbers.size() * sizeof(double));
-    archive.distributed("grid/cell_sums", numbers, n_numbers);
+    visit([&](auto &cells) {
+      using Sums = typename std::decay_t<decltype(cells.sums)>::value_type;
+      constexpr unsigned int n_numbers = sizeof(Sums) / sizeof(double);
+      static_assert(std::is_trivially_copyable_v<Sums> &&
+                      sizeof(Sums) == n_numbers * sizeof(double),
+                    "the sums of a cell are copied as so many numbers");
+      std::vector<double> numbers(n_numbers * cells.sums.size());
+      if (!cells.sums.empty())
+        std::memcpy(numbers.data(),
+                    cells.sums.data(),
+                    numbers.size() * sizeof(double));
+      archive.distributed("grid/cell_sums", numbers, n_numbers);
 
-    if (!archive.is_reading())
-      return;
-    cell_sums.resize(active_cells.size());
-    if (!cell_sums.empty())
-      std::memcpy(cell_sums.data(),
-                  numbers.data(),
-                  numbers.size() * sizeof(double));
-    for (unsigned int slot = 0; slot < active_cells.size(); ++slot)
-      cell_slot[active_cells[slot]] = slot;
+      if (!archive.is_reading())
+        return;
+      cells.sums.resize(active_cells.size());
+      if (!cells.sums.empty())
+        std::memcpy(cells.sums.data(),
+                    numbers.data(),
+                    numbers.size() * sizeof(double));
+      for (unsigned int slot = 0; slot < active_cells.size(); ++slot)
+        cell_slot[active_cells[slot]] = slot;
+    });
   }
 
   template <int dim>
@@ -200,8 +261,12 @@ namespace mpm_granular::Grid
     return (cell_slot.capacity() + node_slot.capacity() +
             active_cells.capacity() + active_nodes.capacity()) *
              sizeof(unsigned int) +
-           cell_sums.capacity() * sizeof(CellSums<dim>) +
-           cell_nodes.capacity() * sizeof(CellNodes) +
+           std::visit(
+             [](const auto &cells) {
+               return cells.sums.capacity() * sizeof(cells.sums[0]) +
+                      cells.nodes.capacity() * sizeof(cells.nodes[0]);
+             },
+             all_cells) +
            sums.capacity() * sizeof(NodeSums<dim>) +
            motion.capacity() * sizeof(NodeMotion<dim>);
   }

@@ -131,6 +131,33 @@ namespace mpm_granular::Grid
 
   template <int dim>
   void
+  SharedNodes<dim>::spread(std::vector<double> &values,
+                           const unsigned int   n_values)
+  {
+    if (is_serial())
+      return;
+    for (unsigned int k = 0; k < links.size(); ++k)
+      {
+        links[k].outgoing.clear();
+        for (const unsigned int node : partition.neighbors()[k].nodes)
+          links[k].outgoing.insert(links[k].outgoing.end(),
+                                   values.begin() + node * n_values,
+                                   values.begin() + (node + 1) * n_values);
+        links[k].incoming.resize(links[k].outgoing.size());
+      }
+    exchange_messages();
+    for (unsigned int k = 0; k < links.size(); ++k)
+      {
+        const auto &nodes = partition.neighbors()[k].nodes;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          for (unsigned int v = 0; v < n_values; ++v)
+            values[nodes[i] * n_values + v] +=
+              links[k].incoming[i * n_values + v];
+      }
+  }
+
+  template <int dim>
+  void
   SharedNodes<dim>::exchange_messages()
   {
     constexpr int            tag = 7411;

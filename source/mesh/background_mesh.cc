@@ -1,15 +1,25 @@
-#include <deal.II/base/utilities.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <mpm_granular/mesh/background_mesh.h>
+#include <mpm_granular/mesh/cell_order.h>
 #include <mpm_granular/mesh/point_walk.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <sstream>
+#include <unordered_map>
 
 namespace mpm_granular::Mesh
 {
@@ -17,16 +27,6 @@ namespace mpm_granular::Mesh
 
   namespace
   {
-    template <int dim>
-    Tensor<2, dim>
-    edge_matrix(const typename BackgroundMesh<dim>::CellIterator &cell)
-    {
-      Tensor<2, dim> edges; // row k: vertex k+1 minus vertex 0
-      for (unsigned int k = 0; k < dim; ++k)
-        edges[k] = cell->vertex(k + 1) - cell->vertex(0);
-      return edges;
-    }
-
     /// The same cell as one that knows its DoFs.
     template <int dim>
     typename DoFHandler<dim>::active_cell_iterator
@@ -36,194 +36,262 @@ namespace mpm_granular::Mesh
       return {&dofs.get_triangulation(), cell->level(), cell->index(), &dofs};
     }
 
-    constexpr double
-    factorial(const unsigned int n)
-    {
-      return n <= 1 ? 1. : n * factorial(n - 1);
-    }
-
-    /// Cells in the order in which a Hilbert curve passes their centres.
+    /// The face of a cell of the triangulation with the cell's own number @p f
+    /// of a face: simplices number it by the vertex opposite.
     template <int dim>
-    std::vector<unsigned int>
-    curve_order(const std::vector<Point<dim>> &centers)
+    unsigned int
+    face_number(const SimplexCell<dim> &,
+                const typename BackgroundMesh<dim>::CellIterator &cell,
+                const unsigned int                                f)
     {
-      // deal.II stretches the box around the places to a cube. A corner that
-      // makes it one keeps near what is near, also in a slice or a channel.
-      const BoundingBox<dim>  box(centers);
-      std::vector<Point<dim>> places  = centers;
-      Point<dim>              corner  = box.get_boundary_points().first;
-      double                  longest = 0.;
-      for (unsigned int d = 0; d < dim; ++d)
-        longest = std::max(longest, box.side_length(d));
-      for (unsigned int d = 0; d < dim; ++d)
-        corner[d] += longest;
-      places.push_back(corner);
-
-      const int  bits = 64 / dim;
-      const auto keys =
-        Utilities::inverse_Hilbert_space_filling_curve(places, bits);
-
-      std::vector<unsigned int> order(centers.size());
-      std::iota(order.begin(), order.end(), 0u);
-      std::stable_sort(order.begin(),
-                       order.end(),
-                       [&](const unsigned int a, const unsigned int b) {
-                         return keys[a] < keys[b];
-                       });
-      return order;
+      for (const unsigned int face : cell->face_indices())
+        {
+          bool is_opposite = true;
+          for (unsigned int v = 0; v < dim; ++v)
+            is_opposite = is_opposite && cell->face(face)->vertex_index(v) !=
+                                           cell->vertex_index(f);
+          if (is_opposite)
+            return face;
+        }
+      Assert(false, ExcInternalError());
+      return 0;
     }
+
+    template <int dim>
+    unsigned int
+    face_number(const BoxCell<dim> &,
+                const typename BackgroundMesh<dim>::CellIterator &,
+                const unsigned int f)
+    {
+      return f;
+    }
+
+    /// A boundary face on its way to another rank.
+    template <int dim>
+    struct FaceMessage
+    {
+      std::array<types::global_dof_index, 1 << (dim - 1)> node;
+      std::array<double, dim>                             normal;
+      double                                              area;
+      types::boundary_id                                  boundary;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &node &normal &area &boundary;
+      }
+    };
   } // namespace
-
-  /// Finds candidate cells for a place anywhere in the mesh.
-  template <int dim>
-  struct BackgroundMesh<dim>::Locator
-  {
-    std::vector<BoundingBox<dim>>          boxes;
-    decltype(pack_rtree_of_indices(boxes)) tree;
-
-    explicit Locator(const std::vector<CellIterator> &cells)
-      : boxes(make_boxes(cells))
-      , tree(pack_rtree_of_indices(boxes))
-    {}
-
-    static std::vector<BoundingBox<dim>>
-    make_boxes(const std::vector<CellIterator> &cells)
-    {
-      std::vector<BoundingBox<dim>> boxes;
-      for (const auto &cell : cells)
-        boxes.push_back(cell->bounding_box());
-      return boxes;
-    }
-  };
 
   template <int dim>
   BackgroundMesh<dim>::BackgroundMesh(const MeshSource<dim> &source,
-                                      const std::string     &input_file)
-    : fe(1)
-    , map(fe)
-    , dofs(tria)
-    , names(source.make(tria, input_file))
+                                      const std::string     &input_file,
+                                      const MPI_Comm         communicator)
+    : communicator(communicator)
+    , kind(source.cell_kind())
   {
-    dofs.distribute_dofs(fe);
-    number_along_curve();
-    fill_cells();
-    fill_faces();
-    box = BoundingBox<dim>(node_positions);
-    check();
+    if (kind == CellKind::simplex)
+      {
+        tria      = std::make_unique<Triangulation<dim>>();
+        fe        = std::make_unique<FE_SimplexP<dim>>(1);
+        map       = std::make_unique<MappingFE<dim>>(*fe);
+        all_cells = std::vector<SimplexCell<dim>>();
+      }
+    else
+      {
+        auto distributed = std::make_unique<Distributed>(communicator);
+        p4est            = distributed.get();
+        tria             = std::move(distributed);
+        fe               = std::make_unique<FE_Q<dim>>(1);
+        map              = std::make_unique<MappingQ<dim>>(1);
+        all_cells        = std::vector<BoxCell<dim>>();
+      }
+    names = source.make(*tria, input_file);
+    dofs.reinit(*tria);
+    fill();
   }
 
   template <int dim>
   void
-  BackgroundMesh<dim>::number_along_curve()
+  BackgroundMesh<dim>::repartition(const std::vector<std::uint32_t> &weights)
   {
-    std::vector<CellIterator> given(tria.active_cell_iterators().begin(),
-                                    tria.active_cell_iterators().end());
-    std::vector<Point<dim>>   centers;
-    for (const auto &cell : given)
-      centers.push_back(cell->center());
-
-    flat_indices.resize(given.size());
-    for (const unsigned int index : curve_order(centers))
-      {
-        flat_indices[given[index]->active_cell_index()] = iterators.size();
-        iterators.push_back(given[index]);
-      }
-
-    // Nodes in the order in which the cells meet them first.
-    std::vector<types::global_dof_index> numbers(dofs.n_dofs(),
-                                                 numbers::invalid_dof_index);
-    std::vector<types::global_dof_index> on_cell(dim + 1);
-    types::global_dof_index              next = 0;
-    for (const auto &cell : iterators)
-      {
-        dofs_of<dim>(cell, dofs)->get_dof_indices(on_cell);
-        for (const auto dof : on_cell)
-          if (numbers[dof] == numbers::invalid_dof_index)
-            numbers[dof] = next++;
-      }
-    dofs.renumber_dofs(numbers);
+    Assert(p4est != nullptr, ExcInternalError());
+    AssertDimension(weights.size(), n_own);
+    const auto connection = p4est->signals.weight.connect(
+      [&](const typename Triangulation<dim>::cell_iterator &cell,
+          const typename Triangulation<dim>::CellStatus) -> unsigned int {
+        return weights[flat_index(CellIterator(cell))];
+      });
+    p4est->repartition();
+    connection.disconnect();
+    fill();
   }
 
   template <int dim>
   void
-  BackgroundMesh<dim>::fill_cells()
+  BackgroundMesh<dim>::fill()
   {
-    cells.resize(iterators.size());
-    volumes.resize(iterators.size());
-    node_positions.resize(dofs.n_dofs());
+    dofs.distribute_dofs(*fe);
+    order_cells();
+    number_cells_globally();
+    number_nodes();
+    std::visit(
+      [&](auto &cells) {
+        fill_cells(cells);
+        fill_faces(cells);
+      },
+      all_cells);
+    complete_at_ghosts();
+    measure();
+  }
 
-    std::vector<types::global_dof_index> on_cell(dim + 1);
+  template <int dim>
+  void
+  BackgroundMesh<dim>::order_cells()
+  {
+    iterators =
+      p4est != nullptr ? morton_order<dim>(*p4est) : hilbert_order<dim>(*tria);
+    flat_indices.assign(tria->n_active_cells(), unknown_cell);
+    n_own = 0;
     for (unsigned int index = 0; index < iterators.size(); ++index)
       {
-        const auto          &iterator = iterators[index];
-        SimplexCell<dim>    &cell     = cells[index];
-        const Tensor<2, dim> edges    = edge_matrix<dim>(iterator);
-        const double         det      = determinant(edges);
-        volumes[index]                = det / factorial(dim);
-        if (!(det > 0.))
-          throw InputError("The mesh has an inverted or flat cell at " +
-                           as_text(iterator->center()) +
-                           "; every simplex must have a positive volume.");
+        flat_indices[iterators[index]->active_cell_index()] = index;
+        if (p4est == nullptr || iterators[index]->is_locally_owned())
+          ++n_own;
+      }
+  }
 
-        // x - x_0 = sum_k N_k edge_k, so the columns of the inverse are the
-        // gradients.
+  template <int dim>
+  void
+  BackgroundMesh<dim>::number_cells_globally()
+  {
+    first_of_rank.assign(1, 0);
+    if (p4est == nullptr)
+      first_of_rank.push_back(n_own);
+    else
+      for (const unsigned int n :
+           Utilities::MPI::all_gather(communicator, n_own))
+        first_of_rank.push_back(first_of_rank.back() + n);
+    first_own = p4est == nullptr ?
+                  0 :
+                  first_of_rank[Utilities::MPI::this_mpi_process(communicator)];
+
+    ghosts.resize(n_cells() - n_own);
+    send_to_ghosts<unsigned int>(
+      [&](const unsigned int cell) { return first_own + cell; },
+      [&](const unsigned int cell, const unsigned int &global) {
+        ghosts[cell - n_own] = global;
+      });
+    Assert(std::is_sorted(ghosts.begin(), ghosts.end()), ExcInternalError());
+  }
+
+  template <int dim>
+  void
+  BackgroundMesh<dim>::number_nodes()
+  {
+    std::unordered_map<types::global_dof_index, unsigned int> node_of;
+    std::vector<types::global_dof_index> on_cell(fe->n_dofs_per_cell());
+    global_nodes.clear();
+    std::visit(
+      [&](auto &cells) {
+        cells.resize(iterators.size());
+        for (unsigned int index = 0; index < iterators.size(); ++index)
+          {
+            dofs_of<dim>(iterators[index], dofs)->get_dof_indices(on_cell);
+            for (unsigned int k = 0; k < on_cell.size(); ++k)
+              {
+                const auto [entry, is_new] =
+                  node_of.emplace(on_cell[k], global_nodes.size());
+                if (is_new)
+                  global_nodes.push_back(on_cell[k]);
+                cells[index].node[k] = entry->second;
+              }
+          }
+      },
+      all_cells);
+  }
+
+  template <int dim>
+  template <class Cell>
+  void
+  BackgroundMesh<dim>::fill_cells(std::vector<Cell> &cells)
+  {
+    volumes.resize(cells.size());
+    node_positions.resize(global_nodes.size());
+    node_volumes.assign(global_nodes.size(), 0.);
+    for (unsigned int index = 0; index < cells.size(); ++index)
+      {
+        const auto    &iterator = iterators[index];
+        Cell          &cell     = cells[index];
+        Tensor<2, dim> edges; // row d: vertex at the end of edge d minus first
+        for (unsigned int d = 0; d < dim; ++d)
+          edges[d] =
+            iterator->vertex(Cell::end_of_edge(d)) - iterator->vertex(0);
+        const double det = determinant(edges);
+        volumes[index]   = det * Cell::reference_volume;
+        require(det > 0.,
+                "The mesh has an inverted or flat cell at " +
+                  as_text(iterator->center()) +
+                  "; every cell must have a positive volume.");
+
+        // x - x_0 = sum_d xi_d edge_d, so the columns of the inverse are the
+        // gradients of xi_d.
         const Tensor<2, dim> inverse = invert(edges);
-        dofs_of<dim>(iterator, dofs)->get_dof_indices(on_cell);
         for (unsigned int d = 0; d < dim; ++d)
           {
             cell.origin[d] = iterator->vertex(0)[d];
             for (unsigned int k = 0; k < dim; ++k)
               cell.gradient[k][d] = inverse[d][k];
           }
-        for (unsigned int k = 0; k <= dim; ++k)
+        for (unsigned int k = 0; k < Cell::n_nodes; ++k)
           {
-            cell.node[k]               = on_cell[k];
-            node_positions[on_cell[k]] = iterator->vertex(k);
+            const Point<dim> &vertex     = iterator->vertex(k);
+            node_positions[cell.node[k]] = vertex;
+            node_volumes[cell.node[k]] += volumes[index] / Cell::n_nodes;
+            // The affine map must bring all vertices to those of the reference
+            // cell.
+            constexpr double tolerance = 1e-6;
+            const auto       values    = cell.shape_values(vertex);
+            require(std::abs(values[k] - 1.) < tolerance,
+                    "The mesh has a cell at " + as_text(iterator->center()) +
+                      " that is not box-like; hypercubes must be " +
+                      (dim == 2 ? "parallelograms" : "parallelepipeds") +
+                      ". Take simplices for such a geometry.");
           }
       }
   }
 
   template <int dim>
+  template <class Cell>
   void
-  BackgroundMesh<dim>::fill_faces()
+  BackgroundMesh<dim>::fill_faces(std::vector<Cell> &cells)
   {
+    faces.clear();
     for (unsigned int index = 0; index < cells.size(); ++index)
       {
-        const auto       &iterator = iterators[index];
-        SimplexCell<dim> &cell     = cells[index];
-        for (const unsigned int f : iterator->face_indices())
+        Cell &cell = cells[index];
+        for (unsigned int f = 0; f < Cell::n_faces; ++f)
           {
-            // The one vertex that is not on the face.
-            unsigned int opposite = 0;
-            for (unsigned int k = 0; k <= dim; ++k)
+            const auto        &iterator = iterators[index];
+            const unsigned int number   = face_number(cell, iterator, f);
+            if (!iterator->at_boundary(number))
               {
-                bool on_face = false;
-                for (unsigned int v = 0; v < dim; ++v)
-                  on_face |= iterator->face(f)->vertex_index(v) ==
-                             iterator->vertex_index(k);
-                if (!on_face)
-                  opposite = k;
-              }
-
-            if (!iterator->at_boundary(f))
-              {
-                cell.neighbor[opposite] =
-                  flat_indices[iterator->neighbor(f)->active_cell_index()];
+                cell.neighbor[f] =
+                  flat_indices[iterator->neighbor(number)->active_cell_index()];
                 continue;
               }
-            cell.neighbor[opposite] = no_cell;
+            cell.neighbor[f] = no_cell;
 
             BoundaryFace<dim> face;
-            face.boundary  = iterator->face(f)->boundary_id();
-            face.cell      = index;
-            unsigned int v = 0;
-            for (unsigned int k = 0; k <= dim; ++k)
-              if (k != opposite)
-                face.node[v++] = cell.node[k];
-            // |grad N| = 1/altitude, and volume = area altitude / dim.
-            const Tensor<1, dim> inward = cell.shape_gradient(opposite);
-            face.normal                 = -inward / inward.norm();
-            face.area                   = dim * volumes[index] * inward.norm();
+            face.boundary = iterator->face(number)->boundary_id();
+            face.cell     = index;
+            for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+              if (Cell::is_on_face(k, f))
+                face.node.push_back(cell.node[k]);
+            const Tensor<1, dim> across = cell.inward(f);
+            face.normal                 = -across / across.norm();
+            face.area = volumes[index] * across.norm() / Cell::cone_volume;
             faces.push_back(face);
           }
       }
@@ -231,25 +299,145 @@ namespace mpm_granular::Mesh
 
   template <int dim>
   void
-  BackgroundMesh<dim>::check() const
+  BackgroundMesh<dim>::complete_at_ghosts()
   {
+    if (!is_distributed())
+      return;
+    // The owner of a cell has all cells around its vertices.
+    using Volumes = std::vector<double>;
+    send_to_ghosts<Volumes>(
+      [&](const unsigned int cell) {
+        Volumes of_cell;
+        for (const unsigned int node : nodes(cell))
+          of_cell.push_back(node_volumes[node]);
+        return of_cell;
+      },
+      [&](const unsigned int cell, const Volumes &of_cell) {
+        for (unsigned int k = 0; k < of_cell.size(); ++k)
+          node_volumes[nodes(cell)[k]] = of_cell[k];
+      });
+
+    std::map<unsigned int, std::vector<unsigned int>> faces_of_node;
+    std::map<types::global_dof_index, unsigned int>   local_node;
+    for (unsigned int node = 0; node < n_nodes(); ++node)
+      local_node[global_nodes[node]] = node;
+    using Key         = std::vector<types::global_dof_index>;
+    const auto key_of = [](const FaceMessage<dim> &face) {
+      Key key(face.node.begin(), face.node.end());
+      std::sort(key.begin(), key.end());
+      return key;
+    };
+    std::vector<FaceMessage<dim>> messages;
+    std::set<Key>                 known;
+    for (const auto &face : faces)
+      {
+        FaceMessage<dim> message;
+        for (unsigned int k = 0; k < face.node.size(); ++k)
+          {
+            message.node[k] = global_nodes[face.node[k]];
+            faces_of_node[face.node[k]].push_back(messages.size());
+          }
+        for (unsigned int d = 0; d < dim; ++d)
+          message.normal[d] = face.normal[d];
+        message.area     = face.area;
+        message.boundary = face.boundary;
+        messages.push_back(message);
+        known.insert(key_of(message));
+      }
+
+    std::vector<BoundaryFace<dim>> further;
+    send_to_ghosts<std::vector<FaceMessage<dim>>>(
+      [&](const unsigned int cell) {
+        std::set<unsigned int> around;
+        for (const unsigned int node : nodes(cell))
+          if (const auto found = faces_of_node.find(node);
+              found != faces_of_node.end())
+            around.insert(found->second.begin(), found->second.end());
+        std::vector<FaceMessage<dim>> of_cell;
+        for (const unsigned int face : around)
+          of_cell.push_back(messages[face]);
+        return of_cell;
+      },
+      [&](const unsigned int /*cell*/,
+          const std::vector<FaceMessage<dim>> &of_cell) {
+        for (const auto &message : of_cell)
+          {
+            if (!known.insert(key_of(message)).second)
+              continue;
+            BoundaryFace<dim> face;
+            face.cell     = unknown_cell;
+            face.boundary = message.boundary;
+            face.area     = message.area;
+            for (unsigned int d = 0; d < dim; ++d)
+              face.normal[d] = message.normal[d];
+            for (const auto global : message.node)
+              {
+                const auto found = local_node.find(global);
+                face.node.push_back(found == local_node.end() ? unknown_node :
+                                                                found->second);
+              }
+            further.push_back(face);
+          }
+      });
+    faces.insert(faces.end(), further.begin(), further.end());
+  }
+
+  template <int dim>
+  void
+  BackgroundMesh<dim>::measure()
+  {
+    const auto sum = [&](const double value) {
+      return is_distributed() ? Utilities::MPI::sum(value, communicator) :
+                                value;
+    };
+
+    std::pair<Point<dim>, Point<dim>> corners;
+    for (unsigned int d = 0; d < dim; ++d)
+      std::tie(corners.first[d], corners.second[d]) =
+        extent(Point<dim>::unit_vector(d));
+    box = BoundingBox<dim>(corners);
+
+    const double from_cells =
+      sum(std::accumulate(volumes.begin(), volumes.begin() + n_own, 0.));
+    const double per_box = visit([](const auto &cells) {
+      return std::decay_t<decltype(cells)>::value_type::reference_volume;
+    });
+    mean_size = std::pow(from_cells / n_global_cells() / per_box, 1. / dim);
+
     // The volume by the divergence theorem over the surface must be the sum of
     // the cells': a reader that garbles connectivity fails here.
     double from_surface = 0.;
     for (const auto &face : faces)
-      {
-        Point<dim> center;
-        for (const unsigned int node : face.node)
-          center += node_positions[node] / dim;
-        from_surface +=
-          face.area * face.normal * (center - node_positions[0]) / dim;
-      }
-    const double from_cells =
-      std::accumulate(volumes.begin(), volumes.end(), 0.);
-    if (std::abs(from_cells - from_surface) > 1e-8 * from_cells)
-      throw InputError(
-        "The mesh is not valid: its cells fill " + std::to_string(from_cells) +
-        ", but its surface encloses " + std::to_string(from_surface) + ".");
+      if (face.cell < n_own)
+        {
+          Point<dim> center;
+          for (const unsigned int node : face.node)
+            center += node_positions[node] / double(face.node.size());
+          from_surface +=
+            face.area * face.normal * (center - corners.first) / dim;
+        }
+    from_surface = sum(from_surface);
+    require(std::abs(from_cells - from_surface) <= 1e-8 * from_cells,
+            "The mesh is not valid: its cells fill " +
+              std::to_string(from_cells) + ", but its surface encloses " +
+              std::to_string(from_surface) + ".");
+  }
+
+  template <int dim>
+  template <class Data>
+  void
+  BackgroundMesh<dim>::send_to_ghosts(
+    const std::function<Data(const unsigned int)>               &pack,
+    const std::function<void(const unsigned int, const Data &)> &unpack) const
+  {
+    if (p4est == nullptr)
+      return;
+    GridTools::exchange_cell_data_to_ghosts<Data, Triangulation<dim>>(
+      *tria,
+      [&](const CellIterator &cell) { return pack(flat_index(cell)); },
+      [&](const CellIterator &cell, const Data &data) {
+        unpack(flat_index(cell), data);
+      });
   }
 
   template <int dim>
@@ -265,58 +453,124 @@ namespace mpm_granular::Mesh
   }
 
   template <int dim>
-  double
-  BackgroundMesh<dim>::altitude(const unsigned int index) const
+  ReferenceCell
+  BackgroundMesh<dim>::reference_cell() const
   {
-    double steepest = 0.;
-    for (unsigned int k = 0; k <= dim; ++k)
-      steepest = std::max(steepest, cells[index].shape_gradient(k).norm());
-    return 1. / steepest;
+    return kind == CellKind::simplex ? ReferenceCells::get_simplex<dim>() :
+                                       ReferenceCells::get_hypercube<dim>();
   }
 
   template <int dim>
   unsigned int
-  BackgroundMesh<dim>::locate(const Point<dim> &x) const
+  BackgroundMesh<dim>::local_cell(const unsigned int global_cell) const
   {
-    if (!locator)
-      locator = std::make_shared<Locator>(iterators);
+    if (global_cell >= first_own && global_cell < first_own + n_own)
+      return global_cell - first_own;
+    const auto ghost =
+      std::lower_bound(ghosts.begin(), ghosts.end(), global_cell);
+    return ghost != ghosts.end() && *ghost == global_cell ?
+             n_own + (ghost - ghosts.begin()) :
+             unknown_cell;
+  }
 
-    unsigned int best  = no_cell;
-    double       depth = -boundary_tolerance;
-    namespace bgi      = boost::geometry::index;
-    // A place on a face just outside of the box around its cell still counts.
-    BoundingBox<dim> around(std::make_pair(x, x));
-    around.extend(1e-6 * mean_cell_size());
-    for (const auto candidate :
-         locator->tree | bgi::adaptors::queried(bgi::intersects(around)))
-      {
-        const auto   values = cells[candidate].shape_values(x);
-        const double lowest = *std::min_element(values.begin(), values.end());
-        if (lowest > depth || (lowest == depth && candidate < best))
-          {
-            depth = lowest;
-            best  = candidate;
-          }
-      }
-    return best;
+  template <int dim>
+  unsigned int
+  BackgroundMesh<dim>::owner(const unsigned int global_cell) const
+  {
+    return std::upper_bound(first_of_rank.begin(),
+                            first_of_rank.end(),
+                            global_cell) -
+           first_of_rank.begin() - 1;
   }
 
   template <int dim>
   double
-  BackgroundMesh<dim>::mean_cell_size() const
+  BackgroundMesh<dim>::altitude(const unsigned int index) const
   {
-    const double total = std::accumulate(volumes.begin(), volumes.end(), 0.);
-    return std::pow(factorial(dim) * total / volumes.size(), 1. / dim);
+    return visit([&](const auto &cells) {
+      using Cell      = typename std::decay_t<decltype(cells)>::value_type;
+      double steepest = 0.;
+      for (unsigned int f = 0; f < Cell::n_faces; ++f)
+        steepest = std::max(steepest, cells[index].inward(f).norm());
+      return 1. / steepest;
+    });
+  }
+
+  template <int dim>
+  std::vector<unsigned int>
+  BackgroundMesh<dim>::locate(const std::vector<Point<dim>> &places) const
+  {
+    std::vector<BoundingBox<dim>> boxes;
+    for (const auto &cell : iterators)
+      boxes.push_back(cell->bounding_box());
+    const auto tree   = pack_rtree_of_indices(boxes);
+    namespace bgi     = boost::geometry::index;
+    const double near = 1e-6 * mean_cell_size();
+
+    std::vector<unsigned int> result, is_found;
+    for (const auto &x : places)
+      {
+        // A place on a face just outside of the box around its cell still
+        // counts; one on a face between cells goes to the first of them.
+        BoundingBox<dim> around(std::make_pair(x, x));
+        around.extend(near);
+        unsigned int best  = no_cell;
+        double       depth = -boundary_tolerance;
+        for (const auto candidate :
+             tree | bgi::adaptors::queried(bgi::intersects(around)))
+          {
+            const double lowest = visit([&](const auto &cells) {
+              const auto heights = cells[candidate].heights(x);
+              return *std::min_element(heights.begin(), heights.end());
+            });
+            if (lowest > depth || (lowest == depth && best != no_cell &&
+                                   global_cell(candidate) < global_cell(best)))
+              {
+                depth = lowest;
+                best  = candidate;
+              }
+          }
+        is_found.push_back(best != no_cell);
+        result.push_back(best == no_cell || best < n_own ? best : unknown_cell);
+      }
+    if (is_distributed())
+      {
+        Utilities::MPI::max(is_found, communicator, is_found);
+        for (unsigned int i = 0; i < result.size(); ++i)
+          if (is_found[i] && result[i] == no_cell)
+            result[i] = unknown_cell;
+      }
+    return result;
+  }
+
+  template <int dim>
+  std::pair<double, double>
+  BackgroundMesh<dim>::extent(const Tensor<1, dim> &direction) const
+  {
+    double lowest  = std::numeric_limits<double>::max();
+    double highest = std::numeric_limits<double>::lowest();
+    for (const auto &x : node_positions)
+      {
+        lowest  = std::min(lowest, direction * x);
+        highest = std::max(highest, direction * x);
+      }
+    if (!is_distributed())
+      return {lowest, highest};
+    return {Utilities::MPI::min(lowest, communicator),
+            Utilities::MPI::max(highest, communicator)};
   }
 
   template <int dim>
   std::size_t
   BackgroundMesh<dim>::memory_consumption() const
   {
-    return tria.memory_consumption() + dofs.memory_consumption() +
-           n_cells() * (sizeof(SimplexCell<dim>) + sizeof(double) +
-                        sizeof(CellIterator) + sizeof(unsigned int)) +
-           n_nodes() * sizeof(Point<dim>) +
+    const std::size_t of_cells = visit(
+      [](const auto &cells) { return cells.capacity() * sizeof(cells[0]); });
+    return tria->memory_consumption() + dofs.memory_consumption() + of_cells +
+           n_cells() *
+             (sizeof(double) + sizeof(CellIterator) + sizeof(unsigned int)) +
+           n_nodes() * (sizeof(Point<dim>) + sizeof(double) +
+                        sizeof(types::global_dof_index)) +
            faces.size() * sizeof(BoundaryFace<dim>);
   }
 
@@ -326,4 +580,14 @@ namespace mpm_granular::Mesh
   as_text(const Point<2> &);
   template std::string
   as_text(const Point<3> &);
+#define INSTANTIATE(dim, Data)                       \
+  template void BackgroundMesh<dim>::send_to_ghosts( \
+    const std::function<Data(const unsigned int)> &, \
+    const std::function<void(const unsigned int, const Data &)> &) const;
+  // What Partition sends.
+  INSTANTIATE(2, std::vector<unsigned int>)
+  INSTANTIATE(3, std::vector<unsigned int>)
+  INSTANTIATE(2, std::vector<std::vector<unsigned int>>)
+  INSTANTIATE(3, std::vector<std::vector<unsigned int>>)
+#undef INSTANTIATE
 } // namespace mpm_granular::Mesh

@@ -2,6 +2,7 @@
 
 #include <mpm_granular/mesh/box.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mpm_granular::Mesh
@@ -20,6 +21,7 @@ namespace mpm_granular::Mesh
   void
   Box<dim>::add_parameters(ParameterHandler &prm)
   {
+    MeshSource<dim>::add_parameters(prm);
     prm.add_parameter("Lower corner",
                       lower,
                       "Corner with the smallest coordinates. Units: m.");
@@ -28,8 +30,8 @@ namespace mpm_granular::Mesh
                       "Corner with the largest coordinates. Units: m.");
     prm.add_parameter("Subdivisions",
                       subdivisions,
-                      "Number of subdivisions in each direction; each one is "
-                      "split into 2 triangles or 5 tetrahedra.",
+                      "Number of subdivisions in each direction; each one is a "
+                      "hypercube or is split into 2 triangles or 5 tetrahedra.",
                       Patterns::List(Patterns::Integer(1), dim, dim));
   }
 
@@ -50,10 +52,46 @@ namespace mpm_granular::Mesh
   Box<dim>::make(Triangulation<dim> &triangulation,
                  const std::string & /*input_file*/) const
   {
-    GridGenerator::subdivided_hyper_rectangle_with_simplices(triangulation,
-                                                             subdivisions,
-                                                             lower,
-                                                             upper);
+    if (this->cell_kind() == CellKind::simplex)
+      {
+        GridGenerator::subdivided_hyper_rectangle_with_simplices(triangulation,
+                                                                 subdivisions,
+                                                                 lower,
+                                                                 upper);
+        mark_boundaries(triangulation);
+      }
+    else
+      {
+        // As few coarse cells as can be: every process holds all of these.
+        std::vector<unsigned int> coarse        = subdivisions;
+        unsigned int              n_refinements = 0;
+        const auto is_even = [](const unsigned int n) { return n % 2 == 0; };
+        for (; std::all_of(coarse.begin(), coarse.end(), is_even);
+             ++n_refinements)
+          for (unsigned int &n : coarse)
+            n /= 2;
+        GridGenerator::subdivided_hyper_rectangle(triangulation,
+                                                  coarse,
+                                                  lower,
+                                                  upper);
+        mark_boundaries(triangulation);
+        triangulation.refine_global(n_refinements);
+      }
+
+    MeshNames         names;
+    const std::string axes = "xyz";
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        names.boundaries[axes.substr(d, 1) + "_min"] = 2 * d;
+        names.boundaries[axes.substr(d, 1) + "_max"] = 2 * d + 1;
+      }
+    return names;
+  }
+
+  template <int dim>
+  void
+  Box<dim>::mark_boundaries(Triangulation<dim> &triangulation) const
+  {
     for (const auto &cell : triangulation.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f))
@@ -68,15 +106,6 @@ namespace mpm_granular::Mesh
                   cell->face(f)->set_boundary_id(2 * d + 1);
               }
           }
-
-    MeshNames         names;
-    const std::string axes = "xyz";
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        names.boundaries[axes.substr(d, 1) + "_min"] = 2 * d;
-        names.boundaries[axes.substr(d, 1) + "_max"] = 2 * d + 1;
-      }
-    return names;
   }
 
   template class Box<2>;
@@ -85,7 +114,7 @@ namespace mpm_granular::Mesh
   namespace
   {
     const std::string documentation =
-      "a box of equal simplices with boundaries x_min, x_max, y_min, ...";
+      "a box of equal cells with boundaries x_min, x_max, y_min, ...";
     const MeshSourceRegistry<2>::Entry<Box<2>> box_2d("box", documentation);
     const MeshSourceRegistry<3>::Entry<Box<3>> box_3d("box", documentation);
   } // namespace

@@ -9,10 +9,9 @@ namespace mpm_granular::Mesh
   namespace
   {
     /// The hash of some nodes, the same for any order of them.
-    template <int dim, std::size_t n_nodes>
+    template <int dim, class Nodes>
     std::uint64_t
-    hash_of_nodes(const BackgroundMesh<dim>               &mesh,
-                  const std::array<unsigned int, n_nodes> &nodes)
+    hash_of_nodes(const BackgroundMesh<dim> &mesh, const Nodes &nodes)
     {
       std::uint64_t sum = 0;
       for (const unsigned int node : nodes)
@@ -29,24 +28,32 @@ namespace mpm_granular::Mesh
 
   template <int dim>
   std::uint64_t
-  fingerprint(const BackgroundMesh<dim> &mesh)
+  fingerprint(const BackgroundMesh<dim> &mesh, const MPI_Comm communicator)
   {
     std::uint64_t cells = 0, faces = 0, names = 0;
-    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      cells = combined(cells, hash_of_nodes(mesh, mesh.cell(cell).node));
+    for (unsigned int cell = 0; cell < mesh.n_own_cells(); ++cell)
+      cells +=
+        combined(mesh.global_cell(cell), hash_of_nodes(mesh, mesh.nodes(cell)));
     for (const auto &face : mesh.boundary_faces())
-      faces += combined(face.boundary, hash_of_nodes(mesh, face.node));
+      if (face.cell < mesh.n_own_cells())
+        faces += combined(face.boundary, hash_of_nodes(mesh, face.node));
+    if (mesh.is_distributed())
+      {
+        cells = Utilities::MPI::sum(cells, communicator);
+        faces = Utilities::MPI::sum(faces, communicator);
+      }
     for (const auto &[name, id] : mesh.boundary_names())
       names += combined(id, Core::hash(name));
 
-    std::uint64_t result = combined(mesh.n_cells(), mesh.n_nodes());
+    std::uint64_t result =
+      combined(mesh.n_global_cells(), mesh.n_global_nodes());
     for (const std::uint64_t part : {cells, faces, names})
       result = combined(result, part);
     return result;
   }
 
   template std::uint64_t
-  fingerprint(const BackgroundMesh<2> &);
+  fingerprint(const BackgroundMesh<2> &, const MPI_Comm);
   template std::uint64_t
-  fingerprint(const BackgroundMesh<3> &);
+  fingerprint(const BackgroundMesh<3> &, const MPI_Comm);
 } // namespace mpm_granular::Mesh

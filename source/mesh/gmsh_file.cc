@@ -49,6 +49,7 @@ namespace mpm_granular::Mesh
   void
   GmshFile<dim>::add_parameters(ParameterHandler &prm)
   {
+    MeshSource<dim>::add_parameters(prm);
     prm.add_parameter("File",
                       file_name,
                       "Mesh file of gmsh (.msh), relative to this parameter "
@@ -93,10 +94,15 @@ namespace mpm_granular::Mesh
                          "' cannot be read as a gmsh mesh of dimension " +
                          std::to_string(dim) + ": " + reason);
       }
+    const bool wants_simplices = this->cell_kind() == CellKind::simplex;
     for (const auto &cell : triangulation.active_cell_iterators())
-      require(cell->reference_cell().is_simplex(),
+      require(wants_simplices ? cell->reference_cell().is_simplex() :
+                                cell->reference_cell().is_hyper_cube(),
               "The mesh file '" + path + "' has cells that are not " +
-                (dim == 2 ? "triangles" : "tetrahedra") + ".");
+                (wants_simplices ?
+                   (dim == 2 ? "triangles" : "tetrahedra") :
+                   (dim == 2 ? "quadrilaterals" : "hexahedra")) +
+                "; Mesh/Cells says what they should be.");
     return names;
   }
 
@@ -106,7 +112,7 @@ namespace mpm_granular::Mesh
   namespace
   {
     const std::string documentation =
-      "an unstructured mesh of triangles or tetrahedra made by gmsh.";
+      "a mesh made by gmsh, unstructured or not.";
     const MeshSourceRegistry<2>::Entry<GmshFile<2>> gmsh_2d("gmsh file",
                                                             documentation);
     const MeshSourceRegistry<3>::Entry<GmshFile<3>> gmsh_3d("gmsh file",

@@ -1,9 +1,13 @@
+#include <deal.II/base/parameter_handler.h>
+
 #include <mpm_granular/mesh/mesh_source.h>
 
 #include <algorithm>
 
 namespace mpm_granular::Mesh
 {
+  using namespace dealii;
+
   unsigned int
   id_by_name(const std::map<std::string, unsigned int> &ids,
              const std::string                         &name,
@@ -21,4 +25,28 @@ namespace mpm_granular::Mesh
     throw InputError("The mesh has no " + kind + " named '" + name +
                      "'; its names are: " + valid + ".");
   }
+
+  template <int dim>
+  void
+  MeshSource<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "Cells",
+      cells,
+      "Simplices (triangles, tetrahedra) with linear shape functions, of which "
+      "every process holds the whole mesh; or hypercubes (quadrilaterals, "
+      "hexahedra) with bi- or trilinear ones, of which p4est gives every process "
+      "its part. Hypercubes must be box-like: parallelograms, parallelepipeds.",
+      Patterns::Selection("simplices|hypercubes"));
+  }
+
+  template <int dim>
+  CellKind
+  MeshSource<dim>::cell_kind() const
+  {
+    return cells == "simplices" ? CellKind::simplex : CellKind::hypercube;
+  }
+
+  template class MeshSource<2>;
+  template class MeshSource<3>;
 } // namespace mpm_granular::Mesh

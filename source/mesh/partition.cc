@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace mpm_granular::Mesh
 {
@@ -33,7 +34,8 @@ namespace mpm_granular::Mesh
                       "How the cells are shared out among MPI processes, with "
                       "equal numbers of points: in pieces of a space-filling "
                       "curve, or by METIS, whose pieces have shorter common "
-                      "surfaces but take longer to find.",
+                      "surfaces but take longer to find. Hypercubes are always "
+                      "shared out by p4est, along a curve.",
                       Patterns::Selection("space-filling curve|METIS"));
     prm.add_parameter("Largest imbalance",
                       largest_imbalance,
@@ -45,7 +47,7 @@ namespace mpm_granular::Mesh
 
   template <int dim>
   Partition<dim>::Partition(const PartitionParameters &parameters,
-                            const BackgroundMesh<dim> &mesh,
+                            BackgroundMesh<dim>       &mesh,
                             const MPI_Comm             communicator)
     : communicator(communicator)
     , rank(Utilities::MPI::this_mpi_process(communicator))
@@ -53,9 +55,10 @@ namespace mpm_granular::Mesh
     , largest_imbalance(parameters.largest_imbalance)
     , method(parameters.method)
     , mesh(mesh)
-    , owners(mesh.n_cells(), 0)
-    , reachable(mesh.n_cells(), true)
   {
+    if (!mesh.is_distributed())
+      owners.assign(mesh.n_cells(), 0);
+    reachable.assign(mesh.n_cells(), true);
     distribute(std::vector<std::uint32_t>(mesh.n_cells(), 1));
   }
 
@@ -66,7 +69,16 @@ namespace mpm_granular::Mesh
     AssertDimension(n_points.size(), mesh.n_cells());
     if (n_ranks == 1)
       return;
-    if (method == "METIS")
+    if (mesh.is_distributed())
+      {
+        // Cells without points cost little, but not nothing.
+        constexpr unsigned int     cost_of_point = 100;
+        std::vector<std::uint32_t> cost;
+        for (unsigned int cell = 0; cell < mesh.n_own_cells(); ++cell)
+          cost.push_back(1 + cost_of_point * n_points[cell]);
+        share_out(cost);
+      }
+    else if (method == "METIS")
       cut_graph(n_points);
     else
       cut_curve(n_points);
@@ -77,7 +89,32 @@ namespace mpm_granular::Mesh
   void
   Partition<dim>::serialize(Core::Archive &archive)
   {
-    archive.replicated("mesh/owners", owners);
+    if (!mesh.is_distributed())
+      archive.replicated("mesh/owners", owners);
+    else
+      {
+        // The weights say who owns what. They are written by those that owned
+        // the cells then, in the order of the cells; they go to those that own
+        // them now.
+        std::vector<std::uint32_t> written = weights;
+        archive.distributed("weights/of_cells", written);
+        if (archive.is_reading() && n_ranks > 1)
+          {
+            const auto sizes =
+              Utilities::MPI::all_gather(communicator,
+                                         unsigned(written.size()));
+            unsigned int global =
+              std::accumulate(sizes.begin(), sizes.begin() + rank, 0u);
+            std::map<unsigned int, std::vector<std::uint32_t>> parts;
+            for (const auto weight : written)
+              parts[mesh.owner(global++)].push_back(weight);
+            std::vector<std::uint32_t> of_own_cells;
+            for (const auto &[other, part] :
+                 Utilities::MPI::some_to_some(communicator, parts))
+              of_own_cells.insert(of_own_cells.end(), part.begin(), part.end());
+            share_out(of_own_cells);
+          }
+      }
     if (archive.is_reading() && n_ranks > 1)
       find_neighbors();
   }
@@ -107,7 +144,7 @@ namespace mpm_granular::Mesh
   {
     DynamicSparsityPattern connections(mesh.n_cells());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      for (const unsigned int neighbor : mesh.cell(cell).neighbor)
+      for (const unsigned int neighbor : mesh.neighbors(cell))
         if (neighbor != no_cell)
           connections.add(cell, neighbor);
     SparsityPattern graph;
@@ -118,26 +155,55 @@ namespace mpm_granular::Mesh
 
   template <int dim>
   void
+  Partition<dim>::share_out(const std::vector<std::uint32_t> &new_weights)
+  {
+    weights = new_weights;
+    mesh.repartition(weights);
+  }
+
+  template <int dim>
+  void
   Partition<dim>::find_neighbors()
   {
     // The ranks that own a cell around each node; then, those that own or see
     // each cell; then, those that may have points around each node.
     std::vector<Ranks> around(mesh.n_nodes());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      for (const unsigned int node : mesh.cell(cell).node)
-        insert(around[node], {owners[cell]});
+      for (const unsigned int node : mesh.nodes(cell))
+        insert(around[node], {owner(mesh.global_cell(cell))});
+
+    // The owner of a cell has all cells around it; what it finds is sent to the
+    // others that have the cell.
+    std::vector<Ranks> seeing(mesh.n_cells());
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      for (const unsigned int node : mesh.nodes(cell))
+        insert(seeing[cell], around[node]);
+    mesh.template send_to_ghosts<Ranks>(
+      [&](const unsigned int cell) { return seeing[cell]; },
+      [&](const unsigned int cell, const Ranks &ranks) {
+        seeing[cell] = ranks;
+      });
+    reachable.resize(mesh.n_cells());
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      reachable[cell] =
+        std::find(seeing[cell].begin(), seeing[cell].end(), rank) !=
+        seeing[cell].end();
 
     std::vector<Ranks> meeting(mesh.n_nodes());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      {
-        Ranks seeing;
-        for (const unsigned int node : mesh.cell(cell).node)
-          insert(seeing, around[node]);
-        reachable[cell] =
-          std::find(seeing.begin(), seeing.end(), rank) != seeing.end();
-        for (const unsigned int node : mesh.cell(cell).node)
-          insert(meeting[node], seeing);
-      }
+      for (const unsigned int node : mesh.nodes(cell))
+        insert(meeting[node], seeing[cell]);
+    mesh.template send_to_ghosts<std::vector<Ranks>>(
+      [&](const unsigned int cell) {
+        std::vector<Ranks> of_nodes;
+        for (const unsigned int node : mesh.nodes(cell))
+          of_nodes.push_back(meeting[node]);
+        return of_nodes;
+      },
+      [&](const unsigned int cell, const std::vector<Ranks> &of_nodes) {
+        for (unsigned int k = 0; k < of_nodes.size(); ++k)
+          insert(meeting[mesh.nodes(cell)[k]], of_nodes[k]);
+      });
 
     std::map<unsigned int, std::vector<unsigned int>> nodes_of_rank;
     for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
@@ -148,7 +214,12 @@ namespace mpm_granular::Mesh
             nodes_of_rank[other].push_back(node);
     all_neighbors.clear();
     for (auto &[other, nodes] : nodes_of_rank)
-      all_neighbors.push_back({other, std::move(nodes)});
+      {
+        std::sort(nodes.begin(), nodes.end(), [&](const auto a, const auto b) {
+          return mesh.global_node(a) < mesh.global_node(b);
+        });
+        all_neighbors.push_back({other, std::move(nodes)});
+      }
   }
 
   template class Partition<2>;

@@ -37,13 +37,17 @@ namespace mpm_granular::Momentum
     const Mesh::BackgroundMesh<dim> &mesh,
     const double                     density)
     : mass(*parameters.mass_matrix)
-    , least_mass(mesh.n_nodes(), 0.)
+    , mesh(mesh)
+    , least_density(parameters.mass_cut_off * density)
   {
-    mass.attach(mesh);
-    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      for (const unsigned int node : mesh.cell(cell).node)
-        least_mass[node] += parameters.mass_cut_off * density *
-                            mesh.cell_volume(cell) / (dim + 1);
+    reinit();
+  }
+
+  template <int dim>
+  void
+  MomentumBalance<dim>::reinit()
+  {
+    mass.reinit(mesh);
   }
 
   template <int dim>
@@ -54,7 +58,7 @@ namespace mpm_granular::Momentum
   {
     const auto    &node = fields.sums[slot];
     Tensor<1, dim> sum  = node.mass * step.gravity;
-    if (node.mass > least_mass[fields.active_nodes[slot]])
+    if (node.mass > least_density * mesh.node_volume(fields.active_nodes[slot]))
       sum += node.force + node.load;
     return sum;
   }

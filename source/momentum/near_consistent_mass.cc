@@ -1,5 +1,4 @@
 #include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/block_vector.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
@@ -9,6 +8,7 @@
 #include <mpm_granular/momentum/near_consistent_mass.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace mpm_granular::Momentum
 {
@@ -195,10 +195,16 @@ namespace mpm_granular::Momentum
 
   template <int dim>
   void
-  NearConsistentMass<dim>::attach(const Mesh::BackgroundMesh<dim> &mesh)
+  NearConsistentMass<dim>::reinit(const Mesh::BackgroundMesh<dim> &mesh)
   {
     DynamicSparsityPattern pattern(mesh.n_nodes());
-    DoFTools::make_sparsity_pattern(mesh.dof_handler(), pattern);
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      {
+        const auto nodes = mesh.nodes(cell);
+        for (const unsigned int row : nodes)
+          for (const unsigned int column : nodes)
+            pattern.add(row, column);
+      }
     matrix.reinit(pattern);
   }
 
@@ -208,21 +214,27 @@ namespace mpm_granular::Momentum
   {
     fields = &new_fields;
     matrix = 0.;
-    for (unsigned int c = 0; c < fields->active_cells.size(); ++c)
-      {
-        std::vector<types::global_dof_index> nodes;
-        for (const unsigned int slot : fields->cell_nodes[c])
-          nodes.push_back(fields->active_nodes[slot]);
-        FullMatrix<double> local(dim + 1, dim + 1);
-        for (unsigned int i = 0; i <= dim; ++i)
-          for (unsigned int j = 0; j <= dim; ++j)
+    fields->visit([&](const auto &cells) {
+      constexpr unsigned int n_nodes =
+        std::tuple_size_v<std::decay_t<decltype(cells.nodes[0])>>;
+      FullMatrix<double>                   local(n_nodes, n_nodes);
+      std::vector<types::global_dof_index> nodes(n_nodes);
+      for (unsigned int c = 0; c < cells.nodes.size(); ++c)
+        {
+          local = 0.;
+          for (unsigned int i = 0; i < n_nodes; ++i)
             {
-              const double mass = fields->cell_sums[c].mass[i * (dim + 1) + j];
-              local(i, j) += alpha * mass;
-              local(i, i) += (1. - alpha) * mass;
+              nodes[i] = fields->active_nodes[cells.nodes[c][i]];
+              for (unsigned int j = 0; j < n_nodes; ++j)
+                {
+                  const double mass = cells.sums[c].mass[i * n_nodes + j];
+                  local(i, j) += alpha * mass;
+                  local(i, i) += (1. - alpha) * mass;
+                }
             }
-        matrix.add(nodes, local);
-      }
+          matrix.add(nodes, local);
+        }
+    });
     matrix.compress(VectorOperation::add);
 
     diagonal.resize(fields->n_active_nodes());

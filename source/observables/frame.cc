@@ -1,8 +1,7 @@
 #include <mpm_granular/core/exceptions.h>
 #include <mpm_granular/observables/frame.h>
 
-#include <algorithm>
-#include <limits>
+#include <tuple>
 
 namespace mpm_granular::Observables
 {
@@ -36,11 +35,6 @@ namespace mpm_granular::Observables
     : along(axis<dim>(run_out))
     , up(gravity.norm() > 0. ? -gravity / gravity.norm() :
                                Point<dim>::unit_vector(dim - 1))
-    , start(std::numeric_limits<double>::max())
-    , end(std::numeric_limits<double>::lowest())
-    , floor(std::numeric_limits<double>::max())
-    , left(std::numeric_limits<double>::max())
-    , right(std::numeric_limits<double>::lowest())
   {
     if constexpr (dim == 3)
       {
@@ -48,15 +42,9 @@ namespace mpm_granular::Observables
         if (across.norm() > 0.)
           across /= across.norm();
       }
-    for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
-      {
-        const Point<dim> &x = mesh.node_position(node);
-        start               = std::min(start, along * x);
-        end                 = std::max(end, along * x);
-        floor               = std::min(floor, up * x);
-        left                = std::min(left, across * x);
-        right               = std::max(right, across * x);
-      }
+    std::tie(start, end)  = mesh.extent(along);
+    std::tie(left, right) = mesh.extent(across);
+    floor                 = mesh.extent(up).first;
   }
 
 

@@ -8,7 +8,6 @@ namespace mpm_granular::Output
   GridOutput<dim>::GridOutput(const OutputParameters &parameters,
                               const MPI_Comm          communicator)
     : parameters(parameters)
-    , is_first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , series(parameters.directory, "grid", communicator)
   {}
 
@@ -19,15 +18,18 @@ namespace mpm_granular::Output
   GridOutput<dim>::write(const double                     time,
                          const unsigned int               step,
                          const Mesh::BackgroundMesh<dim> &mesh,
+                         const Mesh::Partition<dim>      &partition,
                          const std::vector<Field>        &fields)
   {
-    VtuContents<dim, dim> contents;
-    contents.n_items = mesh.n_cells();
-    contents.nodes   = [&mesh](const std::size_t cell) {
-      std::array<std::size_t, dim + 1> nodes;
-      for (unsigned int k = 0; k <= dim; ++k)
-        nodes[k] = mesh.cell(cell).node[k];
-      return nodes;
+    VtuContents<dim, dim>     contents;
+    std::vector<unsigned int> own_cells;
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      if (partition.is_owned(cell))
+        own_cells.push_back(cell);
+    contents.n_items = own_cells.size();
+    contents.nodes   = [&](const std::size_t item) {
+      const auto nodes = mesh.nodes(own_cells[item]);
+      return ItemNodes<dim>(nodes.begin(), nodes.end());
     };
     contents.position = [&mesh](const std::size_t node) {
       return mesh.node_position(node);
@@ -37,10 +39,8 @@ namespace mpm_granular::Output
     DataOutBase::VtkFlags flags = parameters.vtk_flags();
     flags.time                  = time;
     flags.cycle                 = step;
-    // The first rank has the whole mesh.
     series.add(time, [&](std::ostream &out) {
-      if (is_first_rank)
-        write_vtu(out, flags, contents, MPI_COMM_SELF);
+      write_vtu(out, flags, contents, partition.communicator);
     });
   }
 

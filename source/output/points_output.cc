@@ -181,10 +181,8 @@ namespace mpm_granular::Output
                            const Points::PointArrays<dim> &points)
   {
     VtuContents<0, dim> contents;
-    contents.n_items = points.size();
-    contents.nodes   = [](const std::size_t i) {
-      return std::array<std::size_t, 1>{{i}};
-    };
+    contents.n_items  = points.size();
+    contents.nodes    = [](const std::size_t i) { return ItemNodes<0>{i}; };
     contents.position = [&points](const std::size_t i) {
       return points.location(i);
     };

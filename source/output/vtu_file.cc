@@ -81,7 +81,9 @@ namespace mpm_granular::Output
 
     template <int item_dim, int dim>
     std::vector<DataOutBase::Patch<item_dim, dim>>
-    make_patches(const std::size_t n_patches, const unsigned int n_rows)
+    make_patches(const std::size_t  n_patches,
+                 const unsigned int n_rows,
+                 const unsigned int n_nodes)
     {
       std::vector<DataOutBase::Patch<item_dim, dim>> patches(n_patches);
       for (std::size_t i = 0; i < n_patches; ++i)
@@ -90,10 +92,13 @@ namespace mpm_granular::Output
           patch.patch_index = i;
           if constexpr (item_dim > 0)
             {
-              patch.reference_cell = ReferenceCells::get_simplex<item_dim>();
-              patch.n_subdivisions = 1;
+              patch.reference_cell =
+                n_nodes == item_dim + 1 ?
+                  ReferenceCells::get_simplex<item_dim>() :
+                  ReferenceCells::get_hypercube<item_dim>();
+              patch.n_subdivisions       = 1;
               patch.points_are_available = true;
-              patch.data.reinit(n_rows + dim, item_dim + 1);
+              patch.data.reinit(n_rows + dim, n_nodes);
             }
           else
             patch.data.reinit(n_rows, 1);
@@ -118,7 +123,10 @@ namespace mpm_granular::Output
       const Rows rows(contents.fields);
       auto       patches =
         make_patches<item_dim, dim>(std::min(contents.n_items, max_piece_size),
-                                    rows.names.size());
+                                    rows.names.size(),
+                                    contents.n_items == 0 ?
+                                      0 :
+                                      contents.nodes(0).size());
       for (std::size_t n_written = 0;
            n_written < contents.n_items || (n_written == 0 && at_least_one);)
         {

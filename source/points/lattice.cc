@@ -45,7 +45,7 @@ namespace mpm_granular::Points
         volume *= spacing[d];
       }
 
-    std::vector<Seed<dim>> seeds;
+    std::vector<Point<dim>> places;
     for (unsigned int k = 0; k < n[2]; ++k)
       for (unsigned int j = 0; j < n[1]; ++j)
         for (unsigned int i = 0; i < n[0]; ++i)
@@ -54,13 +54,20 @@ namespace mpm_granular::Points
             Point<dim>                        x = corners.first;
             for (unsigned int d = 0; d < dim; ++d)
               x[d] += (index[d] + .5) * spacing[d];
-            const unsigned int cell = mesh.locate(x);
-            require(cell != Mesh::no_cell,
-                    "A point of the lattice lies outside the mesh, at " +
-                      Mesh::as_text(x) + ".");
-            if (shape.contains(x, cell))
-              seeds.push_back({x, cell, volume});
+            places.push_back(x);
           }
+
+    const auto             cells = mesh.locate(places);
+    std::vector<Seed<dim>> seeds;
+    for (unsigned int i = 0; i < places.size(); ++i)
+      {
+        require(cells[i] != Mesh::no_cell,
+                "A point of the lattice lies outside the mesh, at " +
+                  Mesh::as_text(places[i]) + ".");
+        if (cells[i] != Mesh::unknown_cell &&
+            shape.contains(places[i], cells[i]))
+          seeds.push_back({places[i], cells[i], volume, i});
+      }
     return seeds;
   }
 

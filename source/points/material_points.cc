@@ -4,6 +4,7 @@
 #include <mpm_granular/points/migration.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace mpm_granular::Points
@@ -58,7 +59,6 @@ namespace mpm_granular::Points
     , particles(mesh.triangulation(),
                 mesh.mapping(),
                 n_properties<dim>(names.size()))
-    , n_in_cell(mesh.n_cells(), 0)
   {}
 
   template <int dim>
@@ -82,26 +82,31 @@ namespace mpm_granular::Points
                               const unsigned int            material,
                               const double                  density)
   {
+    std::uint64_t n_indices = 0;
+    for (const auto &seed : seeds)
+      n_indices = std::max(n_indices, seed.index + 1);
+    n_indices = Utilities::MPI::max(n_indices, partition.communicator);
+    require(n_ids + n_indices <=
+              std::numeric_limits<types::particle_index>::max(),
+            "There are more points than deal.II can count; it may be built "
+            "with 64 bit indices.");
+
     std::vector<double> properties(n_properties<dim>(names.size()), 0.);
     for (const auto &seed : seeds)
       {
-        const types::particle_index id = n_inserted++;
         if (!partition.is_owned(seed.cell))
           continue;
-        const auto shape_values =
-          mesh.cell(seed.cell).shape_values(seed.position);
-        Point<dim> reference;
-        for (unsigned int d = 0; d < dim; ++d)
-          reference[d] = shape_values[d + 1];
         properties[dim + n_stress<dim>]     = density * seed.volume;
         properties[dim + n_stress<dim> + 1] = seed.volume;
         properties.back()                   = material;
         particles.insert_particle(seed.position,
-                                  reference,
-                                  id,
+                                  mesh.reference_point(seed.cell,
+                                                       seed.position),
+                                  n_ids + seed.index,
                                   mesh.cell_iterator(seed.cell),
                                   make_array_view(properties));
       }
+    n_ids += n_indices;
     particles.update_cached_numbers();
   }
 
@@ -144,13 +149,9 @@ namespace mpm_granular::Points
                                  properties[slot] = array[p];
                                });
         properties.back() = working_set.material[p];
-        const auto shape_values =
-          mesh.cell(working_set.cell[p]).shape_values(working_set.location(p));
-        Point<dim> reference;
-        for (unsigned int d = 0; d < dim; ++d)
-          reference[d] = shape_values[d + 1];
         particles.insert_particle(working_set.location(p),
-                                  reference,
+                                  mesh.reference_point(working_set.cell[p],
+                                                       working_set.location(p)),
                                   working_set.id[p],
                                   mesh.cell_iterator(working_set.cell[p]),
                                   make_array_view(properties));
@@ -163,6 +164,7 @@ namespace mpm_granular::Points
   MaterialPoints<dim>::order()
   {
     // A counting sort that touches only cells with points.
+    n_in_cell.resize(mesh.n_cells(), 0);
     std::vector<unsigned int> occupied;
     for (const unsigned int cell : working_set.cell)
       if (n_in_cell[cell]++ == 0)
@@ -183,10 +185,29 @@ namespace mpm_granular::Points
   }
 
   template <int dim>
-  std::size_t
-  MaterialPoints<dim>::migrate()
+  void
+  MaterialPoints<dim>::release()
   {
-    const std::size_t n_sent = Points::migrate(partition, working_set);
+    for (unsigned int &cell : working_set.cell)
+      if (cell != Mesh::no_cell)
+        cell = mesh.global_cell(cell);
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::attach()
+  {
+    for (unsigned int &cell : working_set.cell)
+      if (cell != Mesh::no_cell)
+        cell = mesh.local_cell(cell);
+  }
+
+  template <int dim>
+  std::size_t
+  MaterialPoints<dim>::send_home()
+  {
+    const std::size_t n_sent = migrate(partition, working_set);
+    attach();
     order();
     return n_sent;
   }
@@ -198,7 +219,8 @@ namespace mpm_granular::Points
     std::vector<std::uint32_t> counts(mesh.n_cells(), 0);
     for (const unsigned int cell : working_set.cell)
       ++counts[cell];
-    Utilities::MPI::sum(counts, partition.communicator, counts);
+    if (!mesh.is_distributed())
+      Utilities::MPI::sum(counts, partition.communicator, counts);
     return counts;
   }
 

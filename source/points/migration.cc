@@ -65,10 +65,15 @@ namespace mpm_granular::Points
     std::vector<unsigned int>                         staying;
     std::map<unsigned int, std::vector<unsigned int>> leaving;
     for (unsigned int p = 0; p < points.size(); ++p)
-      if (points.cell[p] == Mesh::no_cell || partition.is_owned(points.cell[p]))
-        staying.push_back(p);
-      else
-        leaving[partition.owner(points.cell[p])].push_back(p);
+      {
+        const unsigned int owner = points.cell[p] == Mesh::no_cell ?
+                                     partition.rank :
+                                     partition.owner(points.cell[p]);
+        if (owner == partition.rank)
+          staying.push_back(p);
+        else
+          leaving[owner].push_back(p);
+      }
 
     std::map<unsigned int, Message> outgoing;
     for (const auto &[rank, chosen] : leaving)

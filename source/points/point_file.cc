@@ -117,22 +117,25 @@ namespace mpm_granular::Points
       path.size() > 3 && path.compare(path.size() - 3, 3, ".h5") == 0;
     const Table table = is_hdf5 ? read_hdf5(path, dim) : read_csv(path, dim);
 
+    std::vector<Point<dim>> places(table.size());
+    for (unsigned int row = 0; row < table.size(); ++row)
+      for (unsigned int d = 0; d < dim; ++d)
+        places[row][d] = table[row][d];
+
+    const auto             cells = mesh.locate(places);
     std::vector<Seed<dim>> seeds;
     for (unsigned int row = 0; row < table.size(); ++row)
       {
-        Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = table[row][d];
-        const double       volume = table[row][dim];
-        const unsigned int cell   = mesh.locate(x);
-        const std::string  name = path + ": point " + std::to_string(row + 1) +
-                                 " at " + Mesh::as_text(x);
-        require(cell != Mesh::no_cell, name + " lies outside the mesh.");
+        const double      volume = table[row][dim];
+        const std::string name   = path + ": point " + std::to_string(row + 1) +
+                                 " at " + Mesh::as_text(places[row]);
+        require(cells[row] != Mesh::no_cell, name + " lies outside the mesh.");
         require(volume > 0.,
                 name + " has the volume " + std::to_string(volume) +
                   "; it must be positive.");
-        if (shape.contains(x, cell))
-          seeds.push_back({x, cell, volume});
+        if (cells[row] != Mesh::unknown_cell &&
+            shape.contains(places[row], cells[row]))
+          seeds.push_back({places[row], cells[row], volume, row});
       }
     return seeds;
   }

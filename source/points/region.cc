@@ -1,3 +1,5 @@
+#include <deal.II/base/mpi.h>
+
 #include <mpm_granular/points/region.h>
 
 namespace mpm_granular::Points
@@ -36,8 +38,12 @@ namespace mpm_granular::Points
                     const std::string               &input_file) const
   {
     shape->attach(mesh);
-    std::vector<Seed<dim>> seeds = layout->seeds(mesh, *shape, input_file);
-    require(!seeds.empty(),
+    std::vector<Seed<dim>> seeds    = layout->seeds(mesh, *shape, input_file);
+    bool                   is_empty = seeds.empty();
+    if (mesh.is_distributed())
+      is_empty =
+        Utilities::MPI::max(seeds.size(), mesh.mpi_communicator()) == 0;
+    require(!is_empty,
             "A region holds no point: its shape lies outside the mesh or is "
             "smaller than the distance of its points.");
     return seeds;

@@ -1,5 +1,9 @@
+#include <deal.II/base/mpi.h>
+
 #include <mpm_granular/points/region_shape.h>
 
+#include <algorithm>
+#include <limits>
 #include <map>
 
 
@@ -95,7 +99,12 @@ namespace mpm_granular::Points
           ++n_found[id];
       }
     for (const auto &[id, name] : wanted_ids)
-      require(n_found[id] > 0, "The set of cells '" + name + "' is empty.");
+      {
+        if (mesh.is_distributed())
+          n_found[id] =
+            Utilities::MPI::max(n_found[id], mesh.mpi_communicator());
+        require(n_found[id] > 0, "The set of cells '" + name + "' is empty.");
+      }
   }
 
   template <int dim>
@@ -110,12 +119,25 @@ namespace mpm_granular::Points
   BoundingBox<dim>
   CellSetShape<dim>::bounding_box(const Mesh::BackgroundMesh<dim> &mesh) const
   {
-    std::vector<Point<dim>> corners;
-    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      if (chosen[cell])
-        for (const unsigned int node : mesh.cell(cell).node)
-          corners.push_back(mesh.node_position(node));
-    return BoundingBox<dim>(corners);
+    Point<dim> lower, upper;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        lower[d] = std::numeric_limits<double>::max();
+        upper[d] = std::numeric_limits<double>::lowest();
+        for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+          if (chosen[cell])
+            for (const unsigned int node : mesh.nodes(cell))
+              {
+                lower[d] = std::min(lower[d], mesh.node_position(node)[d]);
+                upper[d] = std::max(upper[d], mesh.node_position(node)[d]);
+              }
+        if (mesh.is_distributed())
+          {
+            lower[d] = Utilities::MPI::min(lower[d], mesh.mpi_communicator());
+            upper[d] = Utilities::MPI::max(upper[d], mesh.mpi_communicator());
+          }
+      }
+    return {std::make_pair(lower, upper)};
   }
 
   template class BoxShape<2>;

@@ -1,3 +1,5 @@
+#include <deal.II/base/quadrature_lib.h>
+
 #include <mpm_granular/points/symmetric.h>
 
 #include <algorithm>
@@ -15,6 +17,26 @@ namespace mpm_granular::Points
     /// Barycentric coordinates of points that share a simplex equally.
     template <int dim>
     using Layout = std::vector<std::array<double, dim + 1>>;
+
+    /// Shape values of points that share a cell equally.
+    using ShapeValues = std::vector<std::vector<double>>;
+
+    /// Numbers of points there are layouts for.
+    template <int dim>
+    std::vector<unsigned int>
+    valid_numbers(const Mesh::SimplexCell<dim> &)
+    {
+      return dim == 2 ? std::vector<unsigned int>{1, 3, 4, 9, 16} :
+                        std::vector<unsigned int>{1, 4, 8, 16};
+    }
+
+    template <int dim>
+    std::vector<unsigned int>
+    valid_numbers(const Mesh::BoxCell<dim> &)
+    {
+      return dim == 2 ? std::vector<unsigned int>{1, 4, 9, 16} :
+                        std::vector<unsigned int>{1, 8, 27, 64};
+    }
 
     /// Centroids of the n*n equal triangles that n cuts per edge make.
     Layout<2>
@@ -89,6 +111,36 @@ namespace mpm_granular::Points
         }
       return layout;
     }
+
+    template <int dim>
+    ShapeValues
+    shape_values(const Mesh::SimplexCell<dim> &, const unsigned int n_points)
+    {
+      ShapeValues result;
+      for (const auto &values :
+           layout_of(n_points, std::integral_constant<int, dim>()))
+        result.emplace_back(values.begin(), values.end());
+      return result;
+    }
+
+    /// Centres of equal parts.
+    template <int dim>
+    ShapeValues
+    shape_values(const Mesh::BoxCell<dim> &, const unsigned int n_points)
+    {
+      const QIterated<dim> parts(QMidpoint<1>(),
+                                 std::lround(std::pow(n_points, 1. / dim)));
+      ShapeValues          result;
+      for (const auto &place : parts.get_points())
+        {
+          std::array<double, dim> xi;
+          for (unsigned int d = 0; d < dim; ++d)
+            xi[d] = place[d];
+          const auto values = Mesh::BoxCell<dim>::values_at(xi);
+          result.emplace_back(values.begin(), values.end());
+        }
+      return result;
+    }
   } // namespace
 
   template <int dim>
@@ -98,24 +150,10 @@ namespace mpm_granular::Points
     prm.add_parameter(
       "Points per cell",
       points_per_cell,
-      "Number of points in each simplex: 1, 3, 4, 9 or 16 in a triangle, 1, 4, 8 "
-      "or 16 in a tetrahedron. Fewer than 4 lose volume in flow.",
+      "Number of points in each cell: 1, 3, 4, 9 or 16 in a triangle, 1, 4, 8 "
+      "or 16 in a tetrahedron, where fewer than 4 lose volume in flow; 1, 4, 9 "
+      "or 16 in a quadrilateral, 1, 8, 27 or 64 in a hexahedron.",
       Patterns::Integer(1));
-  }
-
-  template <int dim>
-  void
-  Symmetric<dim>::check() const
-  {
-    const std::vector<unsigned int> valid =
-      dim == 2 ? std::vector<unsigned int>{1, 3, 4, 9, 16} :
-                 std::vector<unsigned int>{1, 4, 8, 16};
-    require(std::find(valid.begin(), valid.end(), points_per_cell) !=
-              valid.end(),
-            std::string("'Points per cell' must be one of ") +
-              (dim == 2 ? "1, 3, 4, 9, 16 in a triangle" :
-                          "1, 4, 8, 16 in a tetrahedron") +
-              "; given: " + std::to_string(points_per_cell) + ".");
   }
 
   template <int dim>
@@ -124,18 +162,33 @@ namespace mpm_granular::Points
                         const RegionShape<dim>          &shape,
                         const std::string & /*input_file*/) const
   {
-    const Layout<dim> layout =
-      layout_of(points_per_cell, std::integral_constant<int, dim>());
+    const ShapeValues layout = mesh.visit([&](const auto &cells) {
+      const typename std::decay_t<decltype(cells)>::value_type kind{};
+      const auto  valid = valid_numbers(kind);
+      std::string numbers;
+      for (const unsigned int number : valid)
+        numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
+      require(std::find(valid.begin(), valid.end(), points_per_cell) !=
+                valid.end(),
+              "'Points per cell' must be one of " + numbers + " in cells of " +
+                "this kind; given: " + std::to_string(points_per_cell) + ".");
+      return shape_values(kind, points_per_cell);
+    });
 
     std::vector<Seed<dim>> seeds;
-    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      for (const auto &coordinates : layout)
+    for (unsigned int cell = 0; cell < mesh.n_own_cells(); ++cell)
+      for (unsigned int i = 0; i < layout.size(); ++i)
         {
+          const auto nodes = mesh.nodes(cell);
           Point<dim> x;
-          for (unsigned int k = 0; k <= dim; ++k)
-            x += coordinates[k] * mesh.node_position(mesh.cell(cell).node[k]);
+          for (unsigned int k = 0; k < nodes.size(); ++k)
+            x += layout[i][k] * mesh.node_position(nodes[k]);
           if (shape.contains(x, cell))
-            seeds.push_back({x, cell, mesh.cell_volume(cell) / layout.size()});
+            seeds.push_back(
+              {x,
+               cell,
+               mesh.cell_volume(cell) / layout.size(),
+               std::uint64_t(mesh.global_cell(cell)) * layout.size() + i});
         }
     return seeds;
   }

@@ -212,22 +212,48 @@ namespace mpm_granular::Solver
     if (!is_uneven && !agreement.is_out_of_reach)
       return;
     const Timer timer;
+    points.release();
+    points.send_home();
     if (is_uneven)
       {
-        partition.distribute(points.count_by_cell());
+        redistribute();
         last_balance = n_steps;
         ++load.n_redistributions;
       }
-    bring_home();
+    else
+      project();
     ++load.n_migrations;
     load.seconds += timer.wall_time();
   }
 
   template <int dim>
   void
-  MPMSolver<dim>::bring_home()
+  MPMSolver<dim>::redistribute()
   {
-    points.migrate();
+    const auto n_points = points.count_by_cell();
+    points.release();
+    partition.distribute(n_points);
+    reinit_on_mesh();
+    points.send_home();
+    project();
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::reinit_on_mesh()
+  {
+    if (!mesh.is_distributed())
+      return;
+    fields.reinit();
+    boundary.reinit();
+    momentum.reinit();
+    find_cell_limits();
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::project()
+  {
     const SweepResult result = sweep.project(points.arrays(), fields);
     motion                   = result.motion;
     n_runs                   = result.n_runs;

@@ -68,8 +68,8 @@ namespace mpm_granular::Solver
 
     Output::Preflight report;
     report.dimension      = dim;
-    report.n_cells        = mesh.n_cells();
-    report.n_nodes        = mesh.n_nodes();
+    report.n_cells        = mesh.n_global_cells();
+    report.n_nodes        = mesh.n_global_nodes();
     report.mean_cell_size = mesh.mean_cell_size();
     report.min_altitude   = limits.least_altitude;
     report.n_points       = solver.n_points();
@@ -287,11 +287,12 @@ namespace mpm_granular::Solver
             of_node[1 + d] =
               fields.sums[slot].momentum[d] / fields.sums[slot].mass;
         }
-    Utilities::MPI::sum(values, info.communicator, values);
+    solver.spread_to_own_cells(values, n_values);
     grid_output.write(
       solver.time(),
       solver.step(),
       solver.background_mesh(),
+      solver.cell_partition(),
       {{"mass",
         "kg",
         1,

@@ -30,8 +30,9 @@ namespace mpm_granular::Solver
   void
   MPMSolver<dim>::serialize(Core::Archive &archive)
   {
-    const std::uint64_t fingerprint_now = Mesh::fingerprint(mesh);
-    std::uint64_t       fingerprint     = fingerprint_now;
+    const std::uint64_t fingerprint_now =
+      Mesh::fingerprint(mesh, partition.communicator);
+    std::uint64_t fingerprint = fingerprint_now;
     archive.replicated("mesh/fingerprint", fingerprint);
     require(
       fingerprint == fingerprint_now,
@@ -54,11 +55,15 @@ namespace mpm_granular::Solver
     serialize_summed(archive, "boundary_work", ledger.boundary_work);
     serialize_summed(archive, "transfer_loss", ledger.transfer_loss);
     serialize_summed(archive, "filter_loss", ledger.filter_loss);
+    points.release();
     points.serialize(archive);
 
     if (archive.has_same_ranks())
       {
         partition.serialize(archive);
+        if (archive.is_reading())
+          reinit_on_mesh();
+        points.attach();
         fields.serialize(archive);
         serialize_summed(archive, "kinetic_energy", motion.kinetic_energy);
         serialize_summed(archive, "speed_squared", motion.speed_squared);
@@ -67,8 +72,8 @@ namespace mpm_granular::Solver
       }
     else
       {
-        partition.distribute(points.count_by_cell());
-        bring_home();
+        points.send_home();
+        redistribute();
       }
     if (archive.is_reading())
       agree_on_state();

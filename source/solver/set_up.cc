@@ -4,7 +4,9 @@
 #include <mpm_granular/time/critical_step.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
 
 namespace mpm_granular::Solver
 {
@@ -60,12 +62,12 @@ namespace mpm_granular::Solver
                             const std::string        &input_file,
                             const MPI_Comm            communicator)
     : parameters(parameters)
-    , mesh(*parameters.mesh, input_file)
+    , mesh(*parameters.mesh, input_file, communicator)
     , partition(parameters.partition, mesh, communicator)
     , laws(laws_of(parameters))
     , points(mesh, partition, history_names<dim>(laws))
     , fields(mesh, partition)
-    , boundary(parameters.boundary_conditions, mesh)
+    , boundary(parameters.boundary_conditions, mesh, communicator)
     , momentum(parameters.momentum, mesh, least_density<dim>(laws))
     , step_control(parameters.time_step)
     , sweep(mesh, partition, laws)
@@ -73,7 +75,10 @@ namespace mpm_granular::Solver
     create_points(input_file);
     set_initial_state();
     find_cell_limits();
-    motion = sweep.project(points.arrays(), fields).motion;
+    if (partition.n_ranks > 1)
+      redistribute();
+    else
+      project();
     agree_on_state();
     step_control.check_stability(step_limits().critical_step);
   }
@@ -85,40 +90,30 @@ namespace mpm_granular::Solver
     const auto &materials = parameters.materials.all_names();
     const auto &regions   = parameters.regions.all_names();
 
-    // Every rank finds all places of points, and keeps those of its own cells.
-    std::vector<std::vector<Points::Seed<dim>>> seeds;
-    std::vector<std::uint32_t>                  n_in_cell(mesh.n_cells(), 0);
     for (unsigned int r = 0; r < regions.size(); ++r)
       {
-        const auto &region = parameters.regions[regions[r]];
+        const auto                    &region = parameters.regions[regions[r]];
+        std::vector<Points::Seed<dim>> seeds;
         try
           {
-            seeds.push_back(region.fill(mesh, input_file));
+            seeds = region.fill(mesh, input_file);
           }
         catch (const InputError &error)
           {
             throw InputError("Points/" + regions[r] + ": " + error.what());
           }
         for (unsigned int before = 0; before < r; ++before)
-          for (const auto &seed : seeds[r])
+          for (const auto &seed : seeds)
             require(!parameters.regions[regions[before]].contains(seed.position,
                                                                   seed.cell),
                     "The regions " + regions[before] + " and " + regions[r] +
                       " of 'Points' overlap, for example at " +
                       Mesh::as_text(seed.position) + ".");
-        for (const auto &seed : seeds[r])
-          ++n_in_cell[seed.cell];
-      }
-    partition.distribute(n_in_cell);
-
-    for (unsigned int r = 0; r < regions.size(); ++r)
-      {
-        const unsigned int material =
-          std::find(materials.begin(),
-                    materials.end(),
-                    parameters.regions[regions[r]].material_name()) -
-          materials.begin();
-        points.insert(seeds[r], material, laws[material]->density());
+        const unsigned int material = std::find(materials.begin(),
+                                                materials.end(),
+                                                region.material_name()) -
+                                      materials.begin();
+        points.insert(seeds, material, laws[material]->density());
       }
     points.load();
   }
@@ -153,20 +148,38 @@ namespace mpm_granular::Solver
   void
   MPMSolver<dim>::find_cell_limits()
   {
-    // Any material may come to any cell.
+    // Any material may come to any cell. Many cells may have the same shape up
+    // to round-off: the limit is that of the gradients in single precision, so
+    // that it is the same wherever it is computed.
     const double factor = parameters.momentum.mass_matrix->time_step_factor();
     cell_limits.resize(mesh.n_cells());
-    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      {
-        double step = std::numeric_limits<double>::max();
-        for (const auto *law : laws)
-          step = std::min(step,
-                          Time::critical_step(mesh.cell(cell),
-                                              {law->bulk_modulus(),
-                                               law->shear_modulus(),
-                                               law->density()}));
-        cell_limits[cell] = {factor * step, mesh.altitude(cell)};
-      }
+    mesh.visit([&](const auto &cells) {
+      using Cell  = typename std::decay_t<decltype(cells)>::value_type;
+      using Shape = std::array<float, dim * dim>;
+      std::map<Shape, double> step_of_shape;
+      for (unsigned int index = 0; index < cells.size(); ++index)
+        {
+          Shape shape;
+          Cell  rounded = cells[index];
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              rounded.gradient[i][j] = shape[i * dim + j] =
+                cells[index].gradient[i][j];
+          auto &step = step_of_shape[shape];
+          if (step == 0.)
+            {
+              step = std::numeric_limits<double>::max();
+              for (const auto *law : laws)
+                step =
+                  std::min(step,
+                           factor * Time::critical_step(rounded,
+                                                        {law->bulk_modulus(),
+                                                         law->shear_modulus(),
+                                                         law->density()}));
+            }
+          cell_limits[index] = {step, mesh.altitude(index)};
+        }
+    });
   }
 
   template class MPMSolver<2>;

@@ -37,7 +37,7 @@ namespace mpm_granular::Solver
                                SweepResult              &result)
   {
     result.relocation += Transfer::relocate(mesh, partition, points, block);
-    Transfer::add_mass_and_momentum(points, block, fields);
+    Transfer::add_mass_and_momentum(mesh, points, block, fields);
     result.motion += Points::motion_of(points, block.begin, block.end);
     result.n_runs += block.runs.size();
   }
@@ -48,18 +48,18 @@ namespace mpm_granular::Solver
                               const double              time_step)
   {
     double             dissipated = 0.;
-    const unsigned int n_runs     = block.runs.size();
+    const auto        &strained   = block.strained;
+    const unsigned int n_runs     = strained.size();
     for (unsigned int first = 0, last = 0; first < n_runs; first = last)
       {
-        const unsigned int material = points.material[block.runs[first].begin];
+        const unsigned int material = points.material[strained[first].begin];
         while (last < n_runs &&
-               points.material[block.runs[last].begin] == material)
+               points.material[strained[last].begin] == material)
           ++last;
         dissipated += Materials::update_stress(
           *laws[material],
           points,
-          make_array_view(block.runs.cbegin() + first,
-                          block.runs.cbegin() + last),
+          make_array_view(strained.cbegin() + first, strained.cbegin() + last),
           make_array_view(block.gradients.cbegin() + first,
                           block.gradients.cbegin() + last),
           time_step);
@@ -76,7 +76,7 @@ namespace mpm_granular::Solver
     fields.clear_cells();
     for_each_block(points, [&] {
       relocate_and_sum(points, fields, result);
-      Transfer::add_stress(points, block, fields);
+      Transfer::add_stress(mesh, points, block, fields);
     });
     return result;
   }
@@ -95,7 +95,7 @@ namespace mpm_granular::Solver
       Transfer::move_points(mesh, fields, block, time_step, pic_factor, points);
       result.dissipated += update_stresses(points, time_step);
       relocate_and_sum(points, fields, result);
-      Transfer::add_stress(points, block, fields);
+      Transfer::add_stress(mesh, points, block, fields);
     });
     return result;
   }
@@ -111,7 +111,7 @@ namespace mpm_granular::Solver
     for_each_block(points, [&] {
       Transfer::evaluate_gradients(mesh, fields, points, block);
       dissipated += update_stresses(points, time_step);
-      Transfer::add_stress(points, block, fields);
+      Transfer::add_stress(mesh, points, block, fields);
     });
     return dissipated;
   }
@@ -162,7 +162,7 @@ namespace mpm_granular::Solver
                                                           smooth_pressure,
                                                           fraction);
           }
-      Transfer::add_stress(points, block, fields);
+      Transfer::add_stress(mesh, points, block, fields);
     });
     return released_energy;
   }

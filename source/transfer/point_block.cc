@@ -22,7 +22,6 @@ namespace mpm_granular::Transfer
           ++end;
         runs.push_back({run_begin, end});
       }
-    gradients.resize(runs.size());
     if (shape_values[0].size() < end - begin)
       for (auto &values : shape_values)
         values.resize(end - begin);

@@ -30,28 +30,31 @@ namespace mpm_granular::Transfer
                            const Points::PointArrays<dim> &points,
                            const Points::Run               run)
   {
-    const unsigned int cell  = points.cell[run.begin];
-    const unsigned int slot  = fields.slot_of_cell(cell);
-    const auto        &slots = fields.cell_nodes[slot];
-    for (unsigned int p = run.begin; p < run.end; ++p)
-      {
-        const double point_pressure = points.pressure(p);
-        if (point_pressure <= 0.)
-          continue;
-        const double     point_volume = points.volume[p];
-        const Point<dim> x            = points.location(p);
-        const auto       shape_values = mesh.cell(cell).shape_values(x);
-        cell_volume[slot] += point_volume;
-        for (unsigned int k = 0; k <= dim; ++k)
-          {
-            auto        &sums  = means[slots[k]];
-            const double share = shape_values[k] * point_volume;
-            sums[volume] += share;
-            sums[pressure] += share * point_pressure;
-            for (unsigned int d = 0; d < dim; ++d)
-              sums[center + d] += share * x[d];
-          }
-      }
+    mesh.visit([&](const auto &cells) {
+      using Cell = typename std::decay_t<decltype(cells)>::value_type;
+      const Cell        &cell  = cells[points.cell[run.begin]];
+      const unsigned int slot  = fields.slot_of_cell(points.cell[run.begin]);
+      const auto        &slots = fields.template cells<Cell>().nodes[slot];
+      for (unsigned int p = run.begin; p < run.end; ++p)
+        {
+          const double point_pressure = points.pressure(p);
+          if (point_pressure <= 0.)
+            continue;
+          const double     point_volume = points.volume[p];
+          const Point<dim> x            = points.location(p);
+          const auto       shape_values = cell.shape_values(x);
+          cell_volume[slot] += point_volume;
+          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+            {
+              auto        &sums  = means[slots[k]];
+              const double share = shape_values[k] * point_volume;
+              sums[volume] += share;
+              sums[pressure] += share * point_pressure;
+              for (unsigned int d = 0; d < dim; ++d)
+                sums[center + d] += share * x[d];
+            }
+        }
+    });
   }
 
 
@@ -69,36 +72,40 @@ namespace mpm_granular::Transfer
     // The simplex of the centers of its nodes, where it is not too flat a
     // picture of the cell, has a gradient of the mean pressures.
     constexpr double flattest = dim == 2 ? 0.2 : 0.1;
-    for (unsigned int c = 0; c < cell_volume.size(); ++c)
-      {
-        const auto &slots      = fields.cell_nodes[c];
-        const auto  is_sampled = [&](const unsigned int slot) {
-          return means[slot][volume] > 0.;
-        };
-        if (cell_volume[c] == 0. ||
-            !std::all_of(slots.begin(), slots.end(), is_sampled))
-          continue;
-        Tensor<2, dim> map; // from the cell to the centers of its nodes
-        Tensor<1, dim> along_cell;
-        for (unsigned int k = 0; k <= dim; ++k)
-          {
-            const auto          &node = means[slots[k]];
-            const Tensor<1, dim> shape_gradient =
-              mesh.cell(fields.active_cells[c]).shape_gradient(k);
-            for (unsigned int d = 0; d < dim; ++d)
-              map[d] += node[center + d] * shape_gradient;
-            along_cell += node[pressure] * shape_gradient;
-          }
-        if (determinant(map) <= flattest)
-          continue;
-        const Tensor<1, dim> in_space = transpose(invert(map)) * along_cell;
-        for (const unsigned int slot : slots)
-          {
-            slopes[slot][weight] += cell_volume[c];
-            for (unsigned int d = 0; d < dim; ++d)
-              slopes[slot][gradient + d] += cell_volume[c] * in_space[d];
-          }
-      }
+    mesh.visit([&](const auto &cells) {
+      using Cell         = typename std::decay_t<decltype(cells)>::value_type;
+      const auto &active = fields.template cells<Cell>();
+      for (unsigned int c = 0; c < cell_volume.size(); ++c)
+        {
+          const auto &slots      = active.nodes[c];
+          const auto  is_sampled = [&](const unsigned int slot) {
+            return means[slot][volume] > 0.;
+          };
+          if (cell_volume[c] == 0. ||
+              !std::all_of(slots.begin(), slots.end(), is_sampled))
+            continue;
+          Tensor<2, dim> map; // from the cell to the centers of its nodes
+          Tensor<1, dim> along_cell;
+          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+            {
+              const auto          &node = means[slots[k]];
+              const Tensor<1, dim> shape_gradient =
+                cells[fields.active_cells[c]].central_gradient(k);
+              for (unsigned int d = 0; d < dim; ++d)
+                map[d] += node[center + d] * shape_gradient;
+              along_cell += node[pressure] * shape_gradient;
+            }
+          if (determinant(map) <= flattest)
+            continue;
+          const Tensor<1, dim> in_space = transpose(invert(map)) * along_cell;
+          for (const unsigned int slot : slots)
+            {
+              slopes[slot][weight] += cell_volume[c];
+              for (unsigned int d = 0; d < dim; ++d)
+                slopes[slot][gradient + d] += cell_volume[c] * in_space[d];
+            }
+        }
+    });
     fields.shared.sum(slopes.data()->data(), n_slopes);
     for (auto &node : slopes)
       if (node[weight] > 0.)
@@ -115,43 +122,48 @@ namespace mpm_granular::Transfer
                                 const Points::Run               run,
                                 std::vector<double> &smooth_pressure) const
   {
-    const unsigned int cell  = points.cell[run.begin];
-    const auto        &slots = fields.cell_nodes[fields.slot_of_cell(cell)];
+    mesh.visit([&](const auto &cells) {
+      using Cell = typename std::decay_t<decltype(cells)>::value_type;
+      const Cell        &cell = cells[points.cell[run.begin]];
+      const unsigned int slot_of_cell =
+        fields.slot_of_cell(points.cell[run.begin]);
+      const auto &slots = fields.template cells<Cell>().nodes[slot_of_cell];
 
-    // Where all cells around a node are too poor in points for a gradient, that
-    // of the other nodes of the cell stands in.
-    std::array<std::array<double, dim>, dim + 1> gradients{};
-    std::array<double, dim>                      others{};
-    double                                       others_weight = 0.;
-    for (const unsigned int slot : slots)
-      {
-        others_weight += slopes[slot][weight];
+      // Where all cells around a node are too poor in points for a gradient,
+      // that of the other nodes of the cell stands in.
+      std::array<std::array<double, dim>, Cell::n_nodes> gradients{};
+      std::array<double, dim>                            others{};
+      double                                             others_weight = 0.;
+      for (const unsigned int slot : slots)
+        {
+          others_weight += slopes[slot][weight];
+          for (unsigned int d = 0; d < dim; ++d)
+            others[d] += slopes[slot][weight] * slopes[slot][gradient + d];
+        }
+      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
         for (unsigned int d = 0; d < dim; ++d)
-          others[d] += slopes[slot][weight] * slopes[slot][gradient + d];
-      }
-    for (unsigned int k = 0; k <= dim; ++k)
-      for (unsigned int d = 0; d < dim; ++d)
-        if (slopes[slots[k]][weight] > 0.)
-          gradients[k][d] = slopes[slots[k]][gradient + d];
-        else if (others_weight > 0.)
-          gradients[k][d] = others[d] / others_weight;
+          if (slopes[slots[k]][weight] > 0.)
+            gradients[k][d] = slopes[slots[k]][gradient + d];
+          else if (others_weight > 0.)
+            gradients[k][d] = others[d] / others_weight;
 
-    smooth_pressure.resize(run.end - run.begin);
-    for (unsigned int p = run.begin; p < run.end; ++p)
-      {
-        const Point<dim> x            = points.location(p);
-        const auto       shape_values = mesh.cell(cell).shape_values(x);
-        double           sum          = 0.;
-        for (unsigned int k = 0; k <= dim; ++k)
-          {
-            const auto &node      = means[slots[k]];
-            double      from_node = node[pressure];
-            for (unsigned int d = 0; d < dim; ++d)
-              from_node += gradients[k][d] * (x[d] - node[center + d]);
-            sum += shape_values[k] * from_node;
-          }
-        smooth_pressure[p - run.begin] = std::max(sum, 0.);
-      }
+      smooth_pressure.resize(run.end - run.begin);
+      for (unsigned int p = run.begin; p < run.end; ++p)
+        {
+          const Point<dim> x            = points.location(p);
+          const auto       shape_values = cell.shape_values(x);
+          double           sum          = 0.;
+          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+            {
+              const auto &node      = means[slots[k]];
+              double      from_node = node[pressure];
+              for (unsigned int d = 0; d < dim; ++d)
+                from_node += gradients[k][d] * (x[d] - node[center + d]);
+              sum += shape_values[k] * from_node;
+            }
+          smooth_pressure[p - run.begin] = std::max(sum, 0.);
+        }
+    });
   }
 
   template class PressureFilter<2>;

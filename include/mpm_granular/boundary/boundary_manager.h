@@ -41,10 +41,16 @@ namespace mpm_granular::Boundary
   class BoundaryManager
   {
   public:
+    /// @param settings must live as long.
     /// @throws InputError for unknown boundaries, and boundaries without a
     /// condition.
     BoundaryManager(const BoundarySettings<dim>     &settings,
-                    const Mesh::BackgroundMesh<dim> &mesh);
+                    const Mesh::BackgroundMesh<dim> &mesh,
+                    const MPI_Comm                   communicator);
+
+    /// Finds the nodes again, for new cells of the mesh. Collective.
+    void
+    reinit();
 
     /// Finds the constraints of the nodes that are active now, with their
     /// values for the step from @p time to @p time + @p time_step.
@@ -60,7 +66,7 @@ namespace mpm_granular::Boundary
     }
 
     /// Adds the tractions at @p time to NodeSums::load, on faces whose cells
-    /// hold points.
+    /// hold points. Collective.
     void
     add_tractions(Grid::NodalFields<dim> &fields, const double time) const;
 
@@ -87,14 +93,19 @@ namespace mpm_granular::Boundary
     };
 
     void
-    find_directions(const BoundarySettings<dim> &settings);
-    void
     set_targets(Node &node, const double time, const double time_step) const;
 
+    /// For each loaded face, whether this rank is the first with points there.
+    std::vector<bool>
+    is_first_in_cells(const Grid::NodalFields<dim> &fields) const;
+
+    const BoundarySettings<dim>     &settings;
     const Mesh::BackgroundMesh<dim> &mesh;
+    const MPI_Comm                   communicator;
     std::vector<Node>                nodes;
     std::vector<unsigned int>        entry_of_node; ///< into nodes, or none
     std::vector<LoadedFace>          loaded_faces;
+    bool                             has_loads = false; ///< on any rank
     Grid::VelocityConstraints<dim>   active;
   };
 } // namespace mpm_granular::Boundary

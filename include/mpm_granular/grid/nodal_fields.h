@@ -8,6 +8,8 @@
 #include <mpm_granular/grid/shared_nodes.h>
 #include <mpm_granular/mesh/background_mesh.h>
 
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace mpm_granular::Grid
@@ -32,6 +34,16 @@ namespace mpm_granular::Grid
     dealii::Tensor<1, dim> straining; ///< whose gradient strains points (T15)
   };
 
+  /// The active cells, by slot.
+  template <class Cell>
+  struct ActiveCells
+  {
+    std::vector<CellSums<Cell>> sums;
+
+    /// Slots of the nodes.
+    std::vector<std::array<unsigned int, Cell::n_nodes>> nodes;
+  };
+
   /**
    * The fields of the grid on *active* cells and nodes only: cells that hold
    * points, and their nodes. Both are stored compactly, in the order in which
@@ -50,27 +62,63 @@ namespace mpm_granular::Grid
     NodalFields(const Mesh::BackgroundMesh<dim> &mesh,
                 const Mesh::Partition<dim>      &partition);
 
+    /// Forgets all, for a mesh with new cells.
+    void
+    reinit();
+
     /// Forgets all active cells and their sums; nodes stay until
     /// gather_nodes().
     void
     clear_cells()
     {
       active_cells.clear();
-      cell_sums.clear();
+      visit([](auto &cells) { cells.sums.clear(); });
+    }
+
+    /// Calls @p action with the ActiveCells of the mesh's kind of cells.
+    template <class Action>
+    decltype(auto)
+    visit(Action &&action)
+    {
+      return std::visit(std::forward<Action>(action), all_cells);
+    }
+
+    /// The active cells, if they are of the kind @p Cell.
+    template <class Cell>
+    ActiveCells<Cell> &
+    cells()
+    {
+      return std::get<ActiveCells<Cell>>(all_cells);
+    }
+
+    template <class Cell>
+    const ActiveCells<Cell> &
+    cells() const
+    {
+      return std::get<ActiveCells<Cell>>(all_cells);
     }
 
     /// The sums of a cell, which becomes active (with zero sums) if it was not.
-    CellSums<dim> &
-    sums_of(const unsigned int cell)
+    /// @param cells those of this object.
+    template <class Cell>
+    CellSums<Cell> &
+    sums_of(ActiveCells<Cell> &cells, const unsigned int cell)
     {
       const unsigned int slot = cell_slot[cell];
       // A slot says who owns it, so slots need no clearing.
       if (slot < active_cells.size() && active_cells[slot] == cell)
-        return cell_sums[slot];
+        return cells.sums[slot];
       cell_slot[cell] = active_cells.size();
       active_cells.push_back(cell);
-      cell_sums.emplace_back();
-      return cell_sums.back();
+      cells.sums.emplace_back();
+      return cells.sums.back();
+    }
+
+    /// Makes a cell active, if it is not.
+    void
+    activate(const unsigned int cell)
+    {
+      visit([&](auto &cells) { sums_of(cells, cell); });
     }
 
     bool
@@ -84,8 +132,10 @@ namespace mpm_granular::Grid
     void
     clear_stresses()
     {
-      for (auto &sums : cell_sums)
-        sums.stress = {};
+      visit([](auto &cells) {
+        for (auto &sums : cells.sums)
+          sums.internal = {};
+      });
     }
 
     /// Makes the nodes of the active cells the active nodes and sums their
@@ -138,12 +188,7 @@ namespace mpm_granular::Grid
       return node_slot[node];
     }
 
-    /// Slots of the nodes of a cell.
-    using CellNodes = std::array<unsigned int, dim + 1>;
-
     std::vector<unsigned int>    active_cells; ///< flat cell by slot
-    std::vector<CellSums<dim>>   cell_sums;    ///< by cell slot
-    std::vector<CellNodes>       cell_nodes;   ///< by cell slot
     std::vector<unsigned int>    active_nodes; ///< node by slot
     std::vector<NodeSums<dim>>   sums;         ///< by node slot
     std::vector<NodeMotion<dim>> motion;       ///< by node slot
@@ -161,6 +206,10 @@ namespace mpm_granular::Grid
     activate_nodes();
     void
     add_forces();
+
+    std::variant<ActiveCells<Mesh::SimplexCell<dim>>,
+                 ActiveCells<Mesh::BoxCell<dim>>>
+      all_cells;
 
     const Mesh::BackgroundMesh<dim> &mesh;
     std::vector<unsigned int>        cell_slot; ///< by flat cell

@@ -58,6 +58,16 @@ namespace mpm_granular::Grid
     void
     sum(std::vector<dealii::Tensor<1, dim>> &field);
 
+    /**
+     * Completes values of nodes that are set by the rank that counts the node
+     * and zero elsewhere: each rank then has those of all nodes of its own
+     * cells.
+     *
+     * @param values @p n_values numbers per node of the mesh.
+     */
+    void
+    spread(std::vector<double> &values, const unsigned int n_values);
+
     /// Whether this rank counts the node in sums over all nodes: the first of
     /// those that share it does.
     bool

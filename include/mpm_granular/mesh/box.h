@@ -10,8 +10,8 @@
 namespace mpm_granular::Mesh
 {
   /**
-   * A box of equal simplices: 2 triangles or 5 tetrahedra per subdivision. Its
-   * boundaries are named x_min, x_max, y_min, ...
+   * A box of equal cells: a hypercube, 2 triangles or 5 tetrahedra per
+   * subdivision. Its boundaries are named x_min, x_max, y_min, ...
    */
   template <int dim>
   class Box : public MeshSource<dim>
@@ -30,6 +30,9 @@ namespace mpm_granular::Mesh
          const std::string          &input_file) const override;
 
   private:
+    void
+    mark_boundaries(dealii::Triangulation<dim> &triangulation) const;
+
     dealii::Point<dim>        lower;
     dealii::Point<dim>        upper;
     std::vector<unsigned int> subdivisions;

@@ -8,7 +8,7 @@
 namespace mpm_granular::Mesh
 {
   /**
-   * An unstructured mesh of triangles or tetrahedra from a gmsh file (.msh).
+   * A mesh from a gmsh file (.msh), unstructured or not.
    * Physical groups of cells become sets of cells, physical groups of faces
    * become boundaries, both by their names.
    */

@@ -31,16 +31,33 @@ namespace mpm_granular::Mesh
              const std::string                         &name,
              const std::string                         &kind);
 
+  /// What the cells of a mesh are; all are of one kind.
+  enum class CellKind
+  {
+    simplex,  ///< triangles, tetrahedra
+    hypercube ///< parallelograms, parallelepipeds
+  };
+
   /// Where a mesh comes from: a box, a file.
   template <int dim>
   class MeshSource : public Parameters::ParameterGroup
   {
   public:
-    /// Makes the cells of @p triangulation, all simplices; names of files are
-    /// relative to @p input_file. @throws InputError.
+    /// The entries that all sources have.
+    void
+    add_parameters(dealii::ParameterHandler &prm) override;
+
+    CellKind
+    cell_kind() const;
+
+    /// Makes the cells of @p triangulation, all of cell_kind(); names of files
+    /// are relative to @p input_file. @throws InputError.
     virtual MeshNames
     make(dealii::Triangulation<dim> &triangulation,
          const std::string          &input_file) const = 0;
+
+  private:
+    std::string cells = "simplices";
   };
 
   template <int dim>

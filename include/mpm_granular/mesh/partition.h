@@ -24,8 +24,9 @@ namespace mpm_granular::Mesh
   };
 
   /**
-   * Which MPI rank owns which cell. Every rank holds the whole mesh (as with
-   * deal.II's parallel::shared::Triangulation) and knows all owners.
+   * Which MPI rank owns which cell. Of a mesh of simplices every rank holds all
+   * cells (as with deal.II's parallel::shared::Triangulation) and knows all
+   * owners; a distributed mesh is shared out by p4est.
    *
    * The points of a rank are in its own cells or in *ghost* cells, which share
    * a vertex with an own cell; a point that comes farther has to move to the
@@ -36,8 +37,8 @@ namespace mpm_granular::Mesh
   class Partition
   {
   public:
-    /// Another rank and the nodes that both may have points around, ascending:
-    /// the same list on both ranks.
+    /// Another rank and the nodes that both may have points around, in the
+    /// order of their global numbers: the same list on both ranks.
     struct Neighbor
     {
       unsigned int              rank;
@@ -46,32 +47,37 @@ namespace mpm_granular::Mesh
 
     /// Shares the cells out evenly.
     Partition(const PartitionParameters &parameters,
-              const BackgroundMesh<dim> &mesh,
+              BackgroundMesh<dim>       &mesh,
               const MPI_Comm             communicator);
 
     /**
-     * Shares the cells out anew.
+     * Shares the cells out anew; flat indices of cells and nodes of a
+     * distributed mesh change. Collective.
      *
-     * @param n_points number of points of each cell, over all ranks, the same
-     *   on all ranks: what each rank should have equally much of.
+     * @param n_points number of points of each cell, over all ranks: what each
+     *   rank should have equally much of. The ghosts of a distributed mesh do
+     *   not count.
      */
     void
     distribute(const std::vector<std::uint32_t> &n_points);
 
-    /// The owners of all cells, for checkpoints.
+    /// Who owns which cell, for checkpoints.
     void
     serialize(Core::Archive &archive);
 
+    /// The owner of any cell, by its global number.
     unsigned int
-    owner(const unsigned int cell) const
+    owner(const unsigned int global_cell) const
     {
-      return owners[cell];
+      return mesh.is_distributed() ? mesh.owner(global_cell) :
+                                     owners[global_cell];
     }
 
     bool
     is_owned(const unsigned int cell) const
     {
-      return owners[cell] == rank;
+      return mesh.is_distributed() ? cell < mesh.n_own_cells() :
+                                     owners[cell] == rank;
     }
 
     /// Whether points of this rank may be in the cell: an own or a ghost cell.
@@ -102,11 +108,14 @@ namespace mpm_granular::Mesh
     void
     cut_graph(const std::vector<std::uint32_t> &n_points);
     void
+    share_out(const std::vector<std::uint32_t> &weights);
+    void
     find_neighbors();
 
     const std::string          method;
-    const BackgroundMesh<dim> &mesh;
-    std::vector<std::uint32_t> owners;    ///< by cell
+    BackgroundMesh<dim>       &mesh;
+    std::vector<std::uint32_t> owners;    ///< by cell; not if distributed
+    std::vector<std::uint32_t> weights;   ///< of all cells of p4est, in order
     std::vector<bool>          reachable; ///< by cell
     std::vector<Neighbor>      all_neighbors;
   };

@@ -3,17 +3,18 @@
 
 #include <mpm_granular/mesh/background_mesh.h>
 
-#include <algorithm>
-#include <array>
+#include <vector>
 
 namespace mpm_granular::Mesh
 {
-  /// Shape values of a point in its host cell; cell is no_cell if it has none.
-  template <int dim>
+  /// Where a point has come to.
   struct HostCell
   {
-    unsigned int                cell;
-    std::array<double, dim + 1> shape_values;
+    unsigned int cell; ///< no_cell if it lies beyond the boundary
+
+    /// The point has left the cells that this rank knows, through a face of the
+    /// cell above.
+    bool is_beyond_reach;
   };
 
   /// A point this far outside (in barycentric coordinates) still belongs to a
@@ -25,56 +26,50 @@ namespace mpm_granular::Mesh
   inline constexpr double boundary_tolerance = 1e-6;
 
   /**
-   * Walks from @p start to the simplex that holds @p x: across the face opposite
-   * to the node with the most negative shape value, until none is negative. A
-   * point that moved by less than a cell is found in one or two steps.
+   * Walks from cell @p start to the one that holds @p x: across the face that x
+   * is farthest beyond, until it is beyond none. A point that moved by less
+   * than a cell is found in one or two steps.
    *
-   * @return the host cell, or no_cell if @p x lies beyond the boundary, as seen
-   *   from the last cell of the walk.
+   * @param cells of a mesh: of SimplexCell or BoxCell.
    */
-  template <int dim>
-  HostCell<dim>
-  walk_to(const BackgroundMesh<dim> &mesh,
-          const dealii::Point<dim>  &x,
-          const unsigned int         start)
+  template <class Cell>
+  HostCell
+  walk_to(const std::vector<Cell>        &cells,
+          const dealii::Point<Cell::dim> &x,
+          const unsigned int              start)
   {
     // A walk visits each cell at most a few times; a cycle means a mesh with
     // degenerate cells, and ends as a lost point.
     constexpr unsigned int max_steps = 10000;
 
-    HostCell<dim> host{start, {}};
+    unsigned int host = start;
     for (unsigned int step = 0; step < max_steps; ++step)
       {
-        const SimplexCell<dim> &cell = mesh.cell(host.cell);
-        host.shape_values            = cell.shape_values(x);
-
+        const Cell  &cell           = cells[host];
+        const auto   heights        = cell.heights(x);
         unsigned int exit           = no_cell;
-        double       most_negative  = -inside_tolerance;
+        double       lowest         = -inside_tolerance;
         bool         beyond_surface = false;
-        for (unsigned int k = 0; k <= dim; ++k)
+        for (unsigned int f = 0; f < Cell::n_faces; ++f)
           {
-            const double value = host.shape_values[k];
-            if (cell.neighbor[k] != no_cell)
+            if (cell.neighbor[f] != no_cell)
               {
-                if (value < most_negative)
+                if (heights[f] < lowest)
                   {
-                    most_negative = value;
-                    exit          = cell.neighbor[k];
+                    lowest = heights[f];
+                    exit   = cell.neighbor[f];
                   }
               }
-            else if (value < -boundary_tolerance)
+            else if (heights[f] < -boundary_tolerance)
               beyond_surface = true;
           }
+        if (exit == unknown_cell)
+          return {host, true};
         if (exit == no_cell)
-          {
-            if (beyond_surface)
-              host.cell = no_cell;
-            return host;
-          }
-        host.cell = exit;
+          return {beyond_surface ? no_cell : host, false};
+        host = exit;
       }
-    host.cell = no_cell;
-    return host;
+    return {no_cell, false};
   }
 } // namespace mpm_granular::Mesh
 

@@ -19,9 +19,9 @@ namespace mpm_granular::Momentum
   class MassMatrix : public Parameters::ParameterGroup
   {
   public:
-    /// Prepares for a mesh.
+    /// Prepares for a mesh, or for its new cells.
     virtual void
-    attach(const Mesh::BackgroundMesh<dim> & /*mesh*/)
+    reinit(const Mesh::BackgroundMesh<dim> & /*mesh*/)
     {}
 
     /// Takes over the masses of this step. Like solve() and multiply(),

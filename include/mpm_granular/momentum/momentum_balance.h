@@ -58,6 +58,10 @@ namespace mpm_granular::Momentum
                     const Mesh::BackgroundMesh<dim> &mesh,
                     const double                     density);
 
+    /// Prepares for new cells of the mesh.
+    void
+    reinit();
+
     /// Sets NodeMotion::straining to the velocity of the points' momentum, with
     /// constraints: what strains points before the step (USF).
     void
@@ -89,13 +93,14 @@ namespace mpm_granular::Momentum
           const StepInput<dim>         &step,
           const unsigned int            slot) const;
 
-    MassMatrix<dim>    &mass;
-    std::vector<double> least_mass; ///< by node: below, forces are dropped
-    NodalVectors<dim>   old_momentum;
-    NodalVectors<dim>   old_velocity;
-    NodalVectors<dim>   new_velocity;
-    NodalVectors<dim>   change;
-    NodalVectors<dim>   scratch;
+    MassMatrix<dim>                 &mass;
+    const Mesh::BackgroundMesh<dim> &mesh;
+    const double      least_density; ///< of a node: below, forces are dropped
+    NodalVectors<dim> old_momentum;
+    NodalVectors<dim> old_velocity;
+    NodalVectors<dim> new_velocity;
+    NodalVectors<dim> change;
+    NodalVectors<dim> scratch;
   };
 } // namespace mpm_granular::Momentum
 

@@ -28,7 +28,7 @@ namespace mpm_granular::Momentum
     check() const override;
 
     void
-    attach(const Mesh::BackgroundMesh<dim> &mesh) override;
+    reinit(const Mesh::BackgroundMesh<dim> &mesh) override;
 
     void
     assemble(Grid::NodalFields<dim> &fields) override;

@@ -18,6 +18,8 @@ namespace mpm_granular::Observables
   struct Frame
   {
     /**
+     * Collective.
+     *
      * @param mesh the background mesh, whose nodes bound what is measured.
      * @param run_out direction of the run-out: x, y, z, or -x, -y, -z.
      * @param gravity [m/s^2]; where it is zero, up is the last axis.

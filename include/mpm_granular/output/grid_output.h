@@ -1,7 +1,7 @@
 #ifndef mpm_granular_output_grid_output_h
 #define mpm_granular_output_grid_output_h
 
-#include <mpm_granular/mesh/background_mesh.h>
+#include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/output/output_parameters.h>
 #include <mpm_granular/output/vtu_file.h>
 
@@ -24,13 +24,15 @@ namespace mpm_granular::Output
      * @param time [s].
      * @param step number of steps done.
      * @param mesh the background mesh.
-     * @param fields only the first rank's are used; values by node (DoF index of mesh.dof_handler()), say
+     * @param partition each rank writes its own cells.
+     * @param fields values by node of the mesh, say
      *   `{"mass", "kg", 1, [&](auto node, auto) { return mass[node]; }}`.
      */
     void
     write(const double                     time,
           const unsigned int               step,
           const Mesh::BackgroundMesh<dim> &mesh,
+          const Mesh::Partition<dim>      &partition,
           const std::vector<Field>        &fields);
 
     /// The files so far, for checkpoints.
@@ -49,7 +51,6 @@ namespace mpm_granular::Output
 
   private:
     OutputParameters parameters;
-    bool             is_first_rank;
     VtuSeries        series;
   };
 } // namespace mpm_granular::Output

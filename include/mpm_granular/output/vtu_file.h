@@ -5,9 +5,10 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 
+#include <boost/container/static_vector.hpp>
+
 #include <mpm_granular/core/archive.h>
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <ostream>
@@ -28,9 +29,14 @@ namespace mpm_granular::Output
       value;
   };
 
+  /// The nodes of a simplex or hypercube, in deal.II's order.
+  template <int item_dim>
+  using ItemNodes =
+    boost::container::static_vector<std::size_t, (1u << item_dim)>;
+
   /**
-   * What a VTU file shows: @p n_items simplices of dimension @p item_dim (0 for
-   * points) with nodal fields. Nothing is copied; pieces are converted one
+   * What a VTU file shows: @p n_items simplices or hypercubes of dimension
+   * @p item_dim (0 for points) with nodal fields. Nothing is copied; pieces are converted one
    * after the other.
    */
   template <int item_dim, int dim>
@@ -39,8 +45,7 @@ namespace mpm_granular::Output
     std::size_t n_items;
 
     /// The nodes of an item.
-    std::function<std::array<std::size_t, item_dim + 1>(const std::size_t)>
-      nodes;
+    std::function<ItemNodes<item_dim>(const std::size_t)> nodes;
 
     /// The position of a node [m].
     std::function<dealii::Point<dim>(const std::size_t)> position;

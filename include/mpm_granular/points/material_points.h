@@ -35,7 +35,7 @@ namespace mpm_granular::Points
                    std::vector<std::string>         history_names);
 
     /// Creates points of a material in the handler, at rest and without stress:
-    /// those in cells of this rank. Ids count all seeds.
+    /// those in cells of this rank. Collective.
     /// @param density mass per initial volume [kg/m^3].
     void
     insert(const std::vector<Seed<dim>> &seeds,
@@ -85,13 +85,24 @@ namespace mpm_granular::Points
     void
     order();
 
-    /// Sends points that are in cells of other ranks there, and orders.
-    /// Collective.
+    /// Gives the cells of the points their global numbers, until attach() or
+    /// send_home(): meanwhile points can go elsewhere, and the cells too.
+    void
+    release();
+
+    /// Gives the cells of the points, which must be on this rank, their flat
+    /// indices again.
+    void
+    attach();
+
+    /// Sends points that are in cells of other ranks there, attaches and
+    /// orders. Collective.
     /// @return how many this rank sent.
     std::size_t
-    migrate();
+    send_home();
 
-    /// The number of points in each cell, over all ranks. Collective.
+    /// The number of points in each cell, over all ranks; of a distributed mesh
+    /// only those of this rank. Collective.
     std::vector<std::uint32_t>
     count_by_cell() const;
 
@@ -114,7 +125,7 @@ namespace mpm_granular::Points
     std::vector<std::string>                names;
     PointArrays<dim>                        working_set;
     dealii::Particles::ParticleHandler<dim> particles;
-    dealii::types::particle_index           n_inserted = 0; ///< on all ranks
+    std::uint64_t                           n_ids = 0; ///< taken so far
     std::vector<unsigned int>               n_in_cell; ///< zero between calls
   };
 } // namespace mpm_granular::Points

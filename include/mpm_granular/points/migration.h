@@ -14,6 +14,7 @@ namespace mpm_granular::Points
    * keep their order; those that come are behind them, by rank. Points whose
    * cell is Mesh::no_cell stay.
    *
+   * @param points with global numbers of their cells.
    * @return how many points this rank sent.
    */
   template <int dim>

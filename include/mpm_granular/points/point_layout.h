@@ -6,6 +6,7 @@
 #include <mpm_granular/parameters/parameter_group.h>
 #include <mpm_granular/points/region_shape.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace mpm_granular::Points
     dealii::Point<dim> position; ///< [m]
     unsigned int       cell;     ///< flat index
     double             volume;   ///< [m^3], in 2D [m^2]
+    std::uint64_t      index;    ///< in the region, on any number of ranks
   };
 
   /// How the points of a region are laid out.
@@ -26,7 +28,8 @@ namespace mpm_granular::Points
   {
   public:
     /**
-     * The points of a region.
+     * The points of a region; of a distributed mesh those in own cells.
+     * Collective.
      *
      * @param shape the part of space to fill.
      * @param input_file the parameter file that file names are relative to.

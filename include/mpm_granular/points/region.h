@@ -23,7 +23,8 @@ namespace mpm_granular::Points
     void
     check() const override;
 
-    /// The points of the region. @throws InputError if there are none.
+    /// The points of the region, as PointLayout gives them. Collective.
+    /// @throws InputError if there are none.
     std::vector<Seed<dim>>
     fill(const Mesh::BackgroundMesh<dim> &mesh,
          const std::string               &input_file) const;

@@ -6,9 +6,9 @@
 namespace mpm_granular::Points
 {
   /**
-   * The same points in every simplex, in symmetric positions, each with its
-   * share of the cell's volume: linear stress is integrated exactly, and a
-   * geostatic state is at rest.
+   * The same points in every cell, in symmetric positions, each with its share
+   * of the cell's volume: linear stress is integrated exactly, and a geostatic
+   * state is at rest.
    */
   template <int dim>
   class Symmetric : public PointLayout<dim>
@@ -16,9 +16,6 @@ namespace mpm_granular::Points
   public:
     void
     add_parameters(dealii::ParameterHandler &prm) override;
-
-    void
-    check() const override;
 
     std::vector<Seed<dim>>
     seeds(const Mesh::BackgroundMesh<dim> &mesh,

@@ -62,6 +62,12 @@ namespace mpm_granular::Solver
       return mesh;
     }
 
+    const Mesh::Partition<dim> &
+    cell_partition() const
+    {
+      return partition;
+    }
+
     /// Those of this rank.
     const Points::MaterialPoints<dim> &
     material_points() const
@@ -81,6 +87,16 @@ namespace mpm_granular::Solver
     gather_nodes()
     {
       fields.gather_nodes();
+    }
+
+    /// Completes values at nodes, set by the rank that counts the node and zero
+    /// elsewhere, so that each rank has them in all of its own cells.
+    /// @param values @p n_values numbers per node of the mesh.
+    void
+    spread_to_own_cells(std::vector<double> &values,
+                        const unsigned int   n_values)
+    {
+      fields.shared.spread(values, n_values);
     }
 
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &
@@ -182,7 +198,11 @@ namespace mpm_granular::Solver
     void
     balance();
     void
-    bring_home();
+    redistribute();
+    void
+    reinit_on_mesh();
+    void
+    project();
 
     /// Calls @p action, which may fail on this rank alone; the error is kept
     /// for agree_on_state().

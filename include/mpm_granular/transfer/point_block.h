@@ -22,12 +22,16 @@ namespace mpm_granular::Transfer
     /// Points per block; a run that begins within it is taken whole.
     static constexpr unsigned int target_size = 192;
 
-    std::vector<Points::Run>            runs; ///< one cell and material each
-    std::vector<dealii::Tensor<2, dim>> gradients; ///< of velocity, per run
+    std::vector<Points::Run> runs; ///< one cell and material each
+
+    /// Velocity gradients, and the points that each is for: a run in simplices,
+    /// where it is the same all over a cell, or else a single point.
+    std::vector<dealii::Tensor<2, dim>> gradients;
+    std::vector<Points::Run>            strained;
 
     /// Shape values of the points at their new places, by node and place in the
-    /// block.
-    std::array<std::vector<double>, dim + 1> shape_values;
+    /// block; as many as the cells have nodes are used.
+    std::array<std::vector<double>, (1u << dim)> shape_values;
 
     unsigned int begin = 0; ///< first point
     unsigned int end   = 0; ///< past the last point

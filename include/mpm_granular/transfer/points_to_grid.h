@@ -13,16 +13,19 @@ namespace mpm_granular::Transfer
    */
   template <int dim>
   void
-  add_mass_and_momentum(const Points::PointArrays<dim> &points,
-                        const PointBlock<dim>          &block,
-                        Grid::NodalFields<dim>         &fields);
+  add_mass_and_momentum(const Mesh::BackgroundMesh<dim> &mesh,
+                        const Points::PointArrays<dim>  &points,
+                        const PointBlock<dim>           &block,
+                        Grid::NodalFields<dim>          &fields);
 
-  /// Adds V sigma of the block's points to the sums of their host cells (T9).
+  /// Adds V sigma of the block's points, or the forces that follow from it, to
+  /// the sums of their host cells (T9).
   template <int dim>
   void
-  add_stress(const Points::PointArrays<dim> &points,
-             const PointBlock<dim>          &block,
-             Grid::NodalFields<dim>         &fields);
+  add_stress(const Mesh::BackgroundMesh<dim> &mesh,
+             const Points::PointArrays<dim>  &points,
+             const PointBlock<dim>           &block,
+             Grid::NodalFields<dim>          &fields);
 } // namespace mpm_granular::Transfer
 
 #endif
