@@ -99,9 +99,7 @@ namespace mpm_granular::Mesh
       require(wants_simplices ? cell->reference_cell().is_simplex() :
                                 cell->reference_cell().is_hyper_cube(),
               "The mesh file '" + path + "' has cells that are not " +
-                (wants_simplices ?
-                   (dim == 2 ? "triangles" : "tetrahedra") :
-                   (dim == 2 ? "quadrilaterals" : "hexahedra")) +
+                name_of_cells(this->cell_kind(), dim) +
                 "; Mesh/Cells says what they should be.");
     return names;
   }

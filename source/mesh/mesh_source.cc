@@ -26,6 +26,14 @@ namespace mpm_granular::Mesh
                      "'; its names are: " + valid + ".");
   }
 
+  std::string
+  name_of_cells(const CellKind kind, const int dim)
+  {
+    return kind == CellKind::simplex ?
+             (dim == 2 ? "triangles" : "tetrahedra") :
+             (dim == 2 ? "quadrilaterals" : "hexahedra");
+  }
+
   template <int dim>
   void
   MeshSource<dim>::add_parameters(ParameterHandler &prm)

@@ -170,8 +170,9 @@ namespace mpm_granular::Points
         numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
       require(std::find(valid.begin(), valid.end(), points_per_cell) !=
                 valid.end(),
-              "'Points per cell' must be one of " + numbers + " in cells of " +
-                "this kind; given: " + std::to_string(points_per_cell) + ".");
+              "'Points per cell' must be one of " + numbers + " in " +
+                Mesh::name_of_cells(mesh.cell_kind(), dim) +
+                "; given: " + std::to_string(points_per_cell) + ".");
       return shape_values(kind, points_per_cell);
     });
 

@@ -4,8 +4,9 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include "../box_mesh.h"
+
 #include <mpm_granular/boundary/boundary_manager.h>
-#include <mpm_granular/mesh/box.h>
 
 #include <iostream>
 
@@ -14,14 +15,10 @@ using namespace mpm_granular;
 
 template <int dim>
 std::unique_ptr<Mesh::BackgroundMesh<dim>>
-box()
+box(const std::string &cells)
 {
-  Mesh::Box<dim>   source;
-  ParameterHandler prm;
-  source.add_parameters(prm);
-  prm.parse_input_from_string(dim == 2 ? "set Subdivisions = 3, 3" :
-                                         "set Subdivisions = 3, 3, 3");
-  return std::make_unique<Mesh::BackgroundMesh<dim>>(source, "");
+  return std::make_unique<Mesh::BackgroundMesh<dim>>(
+    Test::BoxMesh<dim>(cells, 3), "", MPI_COMM_SELF);
 }
 
 template <int dim>
@@ -48,7 +45,7 @@ void
 activate(const Mesh::BackgroundMesh<dim> &mesh, Grid::NodalFields<dim> &fields)
 {
   for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-    fields.sums_of(c);
+    fields.activate(c);
   fields.gather_nodes();
 }
 
@@ -73,9 +70,9 @@ velocity_at(const Point<dim>                     &place,
 
 template <int dim>
 void
-test()
+test(const std::string &cells)
 {
-  const auto                 mesh = box<dim>();
+  const auto                 mesh = box<dim>(cells);
   const Mesh::Partition<dim> partition({}, *mesh, MPI_COMM_SELF);
   Grid::NodalFields<dim>     fields(*mesh, partition);
   activate(*mesh, fields);
@@ -91,7 +88,9 @@ test()
     "\n set Components = x\nend\n"
     "subsection open\n set Boundaries = y_max" +
     others + "\n set Type = free\nend\n");
-  Boundary::BoundaryManager<dim> manager(settings.conditions, *mesh);
+  Boundary::BoundaryManager<dim> manager(settings.conditions,
+                                         *mesh,
+                                         MPI_COMM_SELF);
   manager.update(fields, 1., .5);
   const auto at = [&](const double x, const double y) {
     Point<dim> place;
@@ -101,7 +100,7 @@ test()
       place[2] = 1. / 3.;
     return velocity_at(place, *mesh, fields, manager.constraints());
   };
-  std::cout << dim << "D" << std::endl
+  std::cout << dim << "D, " << cells << std::endl
             << "inside " << at(1. / 3., 1. / 3.) << std::endl
             << "base " << at(1. / 3., 0.) << std::endl
             << "side " << at(0., 1. / 3.) << std::endl
@@ -116,7 +115,7 @@ test()
         "set Names = base\n"
         "subsection base\n set Boundaries = y_min, x_min" +
         others + "\n set Type = clamp\nend\n");
-      Boundary::BoundaryManager<dim>(too_few.conditions, *mesh);
+      Boundary::BoundaryManager<dim>(too_few.conditions, *mesh, MPI_COMM_SELF);
     }
   catch (const InputError &error)
     {
@@ -127,7 +126,7 @@ test()
       const Settings<dim> unknown(
         "set Names = base\n"
         "subsection base\n set Boundaries = bottom\n set Type = clamp\nend\n");
-      Boundary::BoundaryManager<dim>(unknown.conditions, *mesh);
+      Boundary::BoundaryManager<dim>(unknown.conditions, *mesh, MPI_COMM_SELF);
     }
   catch (const InputError &error)
     {
@@ -144,7 +143,9 @@ test()
     "\nend\n"
     "subsection rest\n set Boundaries = x_min, x_max, y_min" +
     others + "\n set Type = free\nend\n");
-  Boundary::BoundaryManager<dim> loading(loaded.conditions, *mesh);
+  Boundary::BoundaryManager<dim> loading(loaded.conditions,
+                                         *mesh,
+                                         MPI_COMM_SELF);
   loading.add_tractions(fields, 2.);
   Tensor<1, dim> resultant;
   double         first_moment = 0.;
@@ -162,6 +163,9 @@ int
 main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test<2>();
-  test<3>();
+  for (const char *cells : {"simplices", "hypercubes"})
+    {
+      test<2>(cells);
+      test<3>(cells);
+    }
 }

@@ -24,16 +24,16 @@ matrix(const std::string    &name,
   if (!alpha.empty())
     prm.parse_input_from_string("set Consistent part = " + alpha);
   mass->check();
-  mass->attach(test.mesh);
+  mass->reinit(test.mesh);
   mass->assemble(test.fields);
   return mass;
 }
 
 template <int dim>
 void
-test()
+test(const Mesh::MeshSource<dim> &source)
 {
-  ScatteredPoints<dim> test([](const Point<dim> &x) {
+  ScatteredPoints<dim> test(source, [](const Point<dim> &x) {
     Tensor<1, dim> v;
     for (unsigned int d = 0; d < dim; ++d)
       v[d] = std::sin(5. * x[d]);
@@ -100,6 +100,8 @@ int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test<2>();
-  test<3>();
+  test<2>(JitteredBox<2>(4));
+  test<3>(JitteredBox<3>(4));
+  test<2>(BoxMesh<2>("hypercubes", 8));
+  test<3>(BoxMesh<3>("hypercubes", 6));
 }

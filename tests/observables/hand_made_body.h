@@ -1,7 +1,7 @@
 #ifndef tests_observables_hand_made_body_h
 #define tests_observables_hand_made_body_h
 
-#include <deal.II/grid/grid_generator.h>
+#include "../box_mesh.h"
 
 #include <mpm_granular/materials/constitutive_law.h>
 #include <mpm_granular/mesh/background_mesh.h>
@@ -15,39 +15,6 @@ namespace Test
 {
   using namespace dealii;
   using namespace mpm_granular;
-
-  /// A box of simplices between two corners.
-  template <int dim>
-  class BoxSource : public Mesh::MeshSource<dim>
-  {
-  public:
-    BoxSource(const Point<dim>                &lower,
-              const Point<dim>                &upper,
-              const std::vector<unsigned int> &subdivisions)
-      : lower(lower)
-      , upper(upper)
-      , subdivisions(subdivisions)
-    {}
-
-    void
-    add_parameters(ParameterHandler &) override
-    {}
-
-    Mesh::MeshNames
-    make(Triangulation<dim> &triangulation, const std::string &) const override
-    {
-      GridGenerator::subdivided_hyper_rectangle_with_simplices(triangulation,
-                                                               subdivisions,
-                                                               lower,
-                                                               upper);
-      return {};
-    }
-
-  private:
-    const Point<dim>                lower;
-    const Point<dim>                upper;
-    const std::vector<unsigned int> subdivisions;
-  };
 
   /// A law that does nothing; its elastic energy is easily computed by hand.
   template <int dim>
@@ -126,7 +93,7 @@ namespace Test
          const Point<dim>                &upper,
          const std::vector<unsigned int> &subdivisions,
          const Tensor<1, dim>            &gravity = {})
-      : mesh(BoxSource<dim>(lower, upper, subdivisions), "")
+      : mesh(BoxMesh<dim>("simplices", subdivisions, lower, upper), "")
       , gravity(gravity)
     {}
 

@@ -113,12 +113,14 @@ write_grid(const Output::OutputParameters &parameters)
   Point<dim>                corner;
   for (unsigned int d = 0; d < dim; ++d)
     corner[d] = 1.;
-  const Body<dim>         body(Point<dim>(), corner, subdivisions);
-  Output::GridOutput<dim> output(parameters, MPI_COMM_SELF);
+  Body<dim>                  body(Point<dim>(), corner, subdivisions);
+  const Mesh::Partition<dim> partition({}, body.mesh, MPI_COMM_SELF);
+  Output::GridOutput<dim>    output(parameters, MPI_COMM_SELF);
   output.write(
     0.25,
     3,
     body.mesh,
+    partition,
     {{"mass",
       "kg",
       1,

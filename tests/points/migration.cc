@@ -3,7 +3,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include "../box_mesh.h"
 #include "../jittered_box.h"
+#include "../seeds.h"
 
 #include <mpm_granular/points/material_points.h>
 
@@ -40,22 +42,41 @@ report(const std::string                 &when,
               << ", all at home " << at_home << std::endl;
 }
 
+/// Cells of the points at their new places, to which these have not walked.
 template <int dim>
 void
-test()
+relocate(const Mesh::BackgroundMesh<dim> &mesh,
+         Points::PointArrays<dim>        &arrays)
 {
-  const Mesh::BackgroundMesh<dim> mesh(JitteredBox<dim>(4), "");
-  Mesh::Partition<dim>            partition({}, mesh, MPI_COMM_WORLD);
-  Points::MaterialPoints<dim>     points(mesh, partition, {"first", "second"});
-  std::vector<Points::Seed<dim>>  seeds;
-  for (unsigned int i = 0; i < 500; ++i)
+  // The owner of a place on another rank is found by asking all.
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  std::vector<Point<dim>> places;
+  for (unsigned int p = 0; p < arrays.size(); ++p)
+    places.push_back(arrays.location(p));
+  const auto all_places = Utilities::MPI::all_gather(MPI_COMM_WORLD, places);
+  for (unsigned int rank = 0; rank < n_ranks; ++rank)
     {
-      Point<dim> x;
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] = scattered(dim * i + d);
-      seeds.push_back({x, mesh.locate(x), .002});
+      auto global = mesh.locate(all_places[rank]);
+      for (unsigned int &cell : global)
+        cell = cell < mesh.n_cells() ? mesh.global_cell(cell) : 0;
+      Utilities::MPI::max(global, MPI_COMM_WORLD, global);
+      if (rank == Utilities::MPI::this_mpi_process(MPI_COMM_WORLD))
+        arrays.cell = global;
     }
-  points.insert(seeds, 3, 1500.);
+}
+
+template <int dim>
+void
+test(const Mesh::MeshSource<dim> &source)
+{
+  Mesh::BackgroundMesh<dim>   mesh(source, "");
+  Mesh::Partition<dim>        partition({}, mesh, MPI_COMM_WORLD);
+  Points::MaterialPoints<dim> points(mesh, partition, {"first", "second"});
+  std::vector<Point<dim>>     places(500);
+  for (unsigned int i = 0; i < places.size(); ++i)
+    for (unsigned int d = 0; d < dim; ++d)
+      places[i][d] = scattered(dim * i + d);
+  points.insert(seeds_at(mesh, places, .002), 3, 1500.);
   points.load();
   auto &arrays = points.arrays();
   for (unsigned int p = 0; p < arrays.size(); ++p)
@@ -69,9 +90,9 @@ test()
   for (unsigned int p = 0; p < arrays.size(); ++p)
     {
       arrays.position[0][p] = 1. - arrays.position[0][p];
-      arrays.cell[p]        = mesh.locate(arrays.location(p));
     }
-  points.migrate();
+  relocate(mesh, arrays);
+  points.send_home();
   report("mirrored", partition, points);
 
   // Most points into a corner, so that some ranks have none in their cells.
@@ -79,12 +100,14 @@ test()
     {
       for (unsigned int d = 0; d < dim; ++d)
         arrays.position[d][p] *= .2;
-      arrays.cell[p] = mesh.locate(arrays.location(p));
     }
-  points.migrate();
+  relocate(mesh, arrays);
+  points.send_home();
   report("in a corner", partition, points);
-  partition.distribute(points.count_by_cell());
-  points.migrate();
+  const auto n_points = points.count_by_cell();
+  points.release();
+  partition.distribute(n_points);
+  points.send_home();
   report("shared out anew", partition, points);
 }
 
@@ -92,6 +115,8 @@ int
 main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test<2>();
-  test<3>();
+  test<2>(JitteredBox<2>(4));
+  test<3>(JitteredBox<3>(4));
+  test<2>(BoxMesh<2>("hypercubes", 8));
+  test<3>(BoxMesh<3>("hypercubes", 8));
 }

@@ -27,8 +27,8 @@ read(const Mesh::BackgroundMesh<2> &mesh, const std::string &name)
     {
       for (const auto &seed : layout.seeds(mesh, everywhere, ""))
         std::cout << seed.position << " in its cell "
-                  << (seed.cell == mesh.locate(seed.position)) << ", volume "
-                  << seed.volume << std::endl;
+                  << (seed.cell == mesh.locate({seed.position})[0])
+                  << ", volume " << seed.volume << std::endl;
     }
   catch (const InputError &error)
     {

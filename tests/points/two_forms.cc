@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include "../jittered_box.h"
+#include "../seeds.h"
 
 #include <mpm_granular/points/material_points.h>
 
@@ -30,18 +31,14 @@ template <int dim>
 void
 test()
 {
-  const Mesh::BackgroundMesh<dim> mesh(JitteredBox<dim>(3), "");
-  const Mesh::Partition<dim>      partition({}, mesh, MPI_COMM_SELF);
-  Points::MaterialPoints<dim>     points(mesh, partition, {"first", "second"});
-  std::vector<Points::Seed<dim>>  seeds;
-  for (unsigned int i = 0; i < 500; ++i)
-    {
-      Point<dim> x;
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] = scattered(dim * i + d);
-      seeds.push_back({x, mesh.locate(x), .002});
-    }
-  points.insert(seeds, 1, 1500.);
+  Mesh::BackgroundMesh<dim>   mesh(JitteredBox<dim>(3), "");
+  const Mesh::Partition<dim>  partition({}, mesh, MPI_COMM_SELF);
+  Points::MaterialPoints<dim> points(mesh, partition, {"first", "second"});
+  std::vector<Point<dim>>     places(500);
+  for (unsigned int i = 0; i < places.size(); ++i)
+    for (unsigned int d = 0; d < dim; ++d)
+      places[i][d] = scattered(dim * i + d);
+  points.insert(seeds_at(mesh, places, .002), 1, 1500.);
   std::cout << dim << "D: in the handler "
             << points.handler().n_global_particles();
   points.load();

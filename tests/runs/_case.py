@@ -25,11 +25,15 @@ ELASTIC = """
 """
 
 
-def box(dim, lower, upper, subdivisions):
+KINDS = ("simplices", "hypercubes")
+
+
+def box(dim, lower, upper, subdivisions, cells="simplices"):
     """The section Mesh of a box."""
     return f"""
 subsection Mesh
   set Source       = box
+  set Cells        = {cells}
   set Lower corner = {vector(lower[:dim])}
   set Upper corner = {vector(upper[:dim])}
   set Subdivisions = {vector(subdivisions[:dim])}
@@ -38,6 +42,11 @@ end"""
 
 def vector(numbers):
     return ", ".join(str(number) for number in numbers)
+
+
+def points_per_cell(dim, cells):
+    """A usual number."""
+    return 8 if dim == 3 and cells == "hypercubes" else 4
 
 
 def body(dim, lower, upper, points_per_cell=4, material=SAND):

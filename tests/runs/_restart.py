@@ -12,7 +12,7 @@ import signal
 import subprocess
 import time
 
-from _case import SAND, Checks, Folder, body, boundaries, box
+from _case import (Checks, Folder, body, boundaries, box, points_per_cell)
 from _program import PROGRAM, TIME_LIMIT
 
 checks = Checks()
@@ -25,7 +25,7 @@ END = "0.1" if IS_DEBUG else "0.15"
 OFTEN = ["--set=Checkpoint/Step interval=10", "--set=Checkpoint/Number kept=3"]
 
 
-def column(dim, end=END):
+def column(dim, kind="simplices", end=END):
     """A column of sand that collapses: points cross cells, some leave the mesh
     at its open end, and the time step changes."""
     up = "z" if dim == 3 else "y"
@@ -35,8 +35,8 @@ def column(dim, end=END):
 set Dimension = {dim}
 set End time  = {end}
 {box(dim, [0., *thick[:0], *([0.] * (dim - 1))], [.6, *thick, .5],
-     [12, *([2] * (dim - 2)), 10])}
-{body(dim, [0., 0., 0.], [.2, *thick, .4], material=SAND)
+     [12, *([2] * (dim - 2)), 10], kind)}
+{body(dim, [0., 0., 0.], [.2, *thick, .4], points_per_cell(dim, kind))
  .replace("set Names = body", "set Names = body" + chr(10) +
           "  set Remove lost points = true")}
 {boundaries(base=("clamp", [up + "_min"]), sides=("roller", ["x_min", *sides]),

@@ -5,7 +5,7 @@ them with one message and the exit code."""
 import json
 import os
 
-from _case import (ELASTIC, INPUTS, Checks, Folder, Result, body, boundaries,
+from _case import (ELASTIC, INPUTS, KINDS, Checks, Folder, Result, body, boundaries,
                    box, escaping_body)
 
 checks = Checks()
@@ -44,15 +44,20 @@ def check_same(name, one, other, columns, tolerance):
 # and with the schemes that sum over nodes in other ways.
 COARSE = "Mesh/File=" + str(INPUTS / "meshes" / "wall_coarse.msh")
 METIS = "Parallel/Partition=METIS"
+CUBES = ["Mesh/Subdivisions=40, 2, 22", "Output/Write grid=true"]
 CASES = [
+    ("space, hexahedra", "wall_hexahedra.prm", [*CUBES, "End time=0.1"]),
     ("space", "wall.prm", [COARSE, "End time=0.05"]),
     ("plane, METIS", "wall_2d.prm", ["End time=0.04", METIS]),
     ("plane, near-consistent", "wall_2d.prm",
      ["End time=0.02", "Scheme/Mass matrix=near-consistent"]),
+    ("space, hexahedra, near-consistent, USF", "wall_hexahedra.prm",
+     [*CUBES, "End time=0.05", "Scheme/Mass matrix=near-consistent",
+      "Scheme/Stress order=USF"]),
     ("plane, USF", "wall_2d.prm", ["End time=0.02", "Scheme/Stress order=USF"]),
     ("space, METIS, USL", "wall.prm",
      [COARSE, "End time=0.02", METIS, "Scheme/Stress order=USL"])]
-for name, file, settings in CASES[:3] if IS_DEBUG else CASES:
+for name, file, settings in CASES[:4] if IS_DEBUG else CASES:
     settings = [*settings, "Output/Interval=0"]
     one = run(1, INPUTS / file, *settings)
     for ranks in (2, 3) if IS_DEBUG else (2, 3, 7):
@@ -66,24 +71,30 @@ for name, file, settings in CASES[:3] if IS_DEBUG else CASES:
                     "elastic_energy", "transfer_loss"], 1e-9)
 
 # A load at the boundary, counted once.
-LOADED = f"""
+LOADED = """
 set Dimension = 2
 set End time  = 0.05
-{box(2, [0., 0.], (2., 1.), (16, 8))}
-{body(2, [0., 0.], (2., 1.),
-      material=ELASTIC.format(density=1000, young=1e6, poisson=.3))}
-{boundaries(walls=("roller", ["x_min", "x_max", "y_min"]),
-            top=("traction", ["y_max"]))}
+{mesh}
+{body}
+{conditions}
 subsection Boundary conditions
   subsection top
     set Traction = 0; -1000
   end
 end
 """
-one, three = run(1, LOADED), run(3, LOADED)
-checks.that(one.exit_code == three.exit_code == 0, "a load",
-            one.text[-2000:] + three.text[-2000:])
-check_same("a load", one, three, ["kinetic_energy", "boundary_work"], 1e-9)
+for kind in KINDS:
+    loaded = LOADED.format(
+        mesh=box(2, [0., 0.], (2., 1.), (16, 8), kind),
+        body=body(2, [0., 0.], (2., 1.), material=ELASTIC.format(
+            density=1000, young=1e6, poisson=.3)),
+        conditions=boundaries(walls=("roller", ["x_min", "x_max", "y_min"]),
+                              top=("traction", ["y_max"])))
+    one, three = run(1, loaded), run(3, loaded)
+    checks.that(one.exit_code == three.exit_code == 0, f"a load, {kind}",
+                one.text[-2000:] + three.text[-2000:])
+    check_same(f"a load, {kind}", one, three,
+               ["kinetic_energy", "boundary_work"], 1e-9)
 
 if not IS_DEBUG:
     # The whole collapse: the points go three times as far as they were wide.
@@ -96,15 +107,17 @@ if not IS_DEBUG:
                 "the load stays even", str(three.manifest))
 
 # One process has nothing to do, if there are more processes than cells.
-few = run(3, f"""
+for kind in KINDS:
+    few = run(3, f"""
 set Dimension = 2
 set End time  = 0.01
-{box(2, [0., 0.], (1., 1.), (1, 1))}
+{box(2, [0., 0.], (1., 1.), (1, 1), kind)}
 {body(2, [0., 0.], (1., 1.), points_per_cell=1)}
 {boundaries(walls=("roller", ["x_min", "x_max", "y_min"]),
             top=("free", ["y_max"]))}
 """)
-checks.that(few.exit_code == 0, "a process without points", few.text[-2000:])
+    checks.that(few.exit_code == 0, f"a process without points, {kind}",
+                few.text[-2000:])
 
 # Errors.
 lost = run(3, escaping_body())

@@ -6,7 +6,7 @@ import os
 import shutil
 import signal
 
-from _case import Folder
+from _case import KINDS, Folder
 from _restart import (OFTEN, Case, checks, column, interrupted, same,
                       uninterrupted)
 
@@ -42,26 +42,27 @@ def interrupt(name, dim, settings=()):
         same(f"{name}: with checkpoints", case.results(), reference)
 
 
-def several_ranks(dim):
+def several_ranks(dim, kind):
     """Stopped on two ranks: goes on bit for bit on two, on others up to the
     growth of round-off."""
     with Folder() as folder:
-        case = Case(folder, column(dim), ranks=2)
+        case = Case(folder, column(dim, kind), ranks=2)
         case.run(*case.start())
         reference = case.results()
     with Folder() as folder:
-        case = Case(folder, column(dim), ranks=2)
+        case = Case(folder, column(dim, kind), ranks=2)
         code = interrupted(case)
-        checks.that(code == 3, f"{dim}D, two ranks: interrupted", str(code))
+        checks.that(code == 3, f"{dim}D, {kind}, two ranks: interrupted",
+                    str(code))
         shutil.copytree(case.path, folder.path / "stopped")
         case.run("--resume", "out")
-        same(f"{dim}D, two ranks: resumed", case.results(), reference)
+        same(f"{dim}D, {kind}, two ranks: resumed", case.results(), reference)
         for ranks in (1, 3):
             shutil.rmtree(case.path)
             shutil.copytree(folder.path / "stopped", case.path)
             case.ranks = ranks
             case.run("--resume", "out")
-            agree(f"{dim}D, {ranks} ranks", case.results(), reference)
+            agree(f"{dim}D, {kind}, {ranks} ranks", case.results(), reference)
 
 
 def agree(name, results, reference):
@@ -130,8 +131,9 @@ for scheme in (["Scheme/Stress order=USF"],
                ["Time step/Type=fixed", "Time step/Fixed step=2e-4"]):
     interrupt(" ".join(scheme), 2, tuple(scheme))
 if os.environ.get("MPM_MPIEXEC"):
-    several_ranks(2)
-    several_ranks(3)
+    for kind in KINDS:
+        several_ranks(2, kind)
+        several_ranks(3, kind)
 kill(2, 5)
 kill(3, 3)
 finished()

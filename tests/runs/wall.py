@@ -50,8 +50,15 @@ def check_wall(name, result, front=.15, height=.08, area=.05, base_area=2.):
     checks.that(abs(mass[-1] - mass[0]) < 1e-12 * mass[0], f"{name}: mass")
 
 
+# wall_2d.prm on squares of 0.05 m.
+SQUARES = ["Mesh/Source=box", "Mesh/Cells=hypercubes", "Mesh/Lower corner=0, 0",
+           "Mesh/Upper corner=4, 2.2", "Mesh/Subdivisions=80, 44",
+           "Points/wall/Shape=box", "Points/wall/Lower corner=0, 0",
+           "Points/wall/Upper corner=1, 2", "Output/Interval=0"]
+
 plane = run(INPUTS / "wall_2d.prm")
 check_wall("2D", plane)
+check_wall("2D, squares", run(INPUTS / "wall_2d.prm", *SQUARES))
 if not IS_DEBUG:
     half = run(INPUTS / "wall_2d.prm", "Time step/CFL=0.25")
     check_wall("2D, half the step", half)
@@ -63,6 +70,8 @@ if not IS_DEBUG:
     half = run(INPUTS / "wall.prm", "Output/Interval=0", "Time step/CFL=0.25")
     check_wall("3D, half the step", half)
     check_wall("3D, structured mesh", run(INPUTS / "wall.prm", *STRUCTURED))
+    check_wall("3D, cubes", run(INPUTS / "wall_hexahedra.prm",
+                                "Output/Interval=0"))
     checks.that(abs(space.last("front") - plane.last("front")) < .1,
                 "3D and 2D fronts agree",
                 f"{space.last('front')} and {plane.last('front')}")

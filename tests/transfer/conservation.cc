@@ -24,9 +24,9 @@ moment(const Point<dim> &x, const Tensor<1, dim> &f)
 
 template <int dim>
 void
-test()
+test(const Mesh::MeshSource<dim> &source)
 {
-  ScatteredPoints<dim> test([](const Point<dim> &x) {
+  ScatteredPoints<dim> test(source, [](const Point<dim> &x) {
     Tensor<1, dim> v;
     for (unsigned int d = 0; d < dim; ++d)
       v[d] = std::sin(5. * x[d]) + x[(d + 1) % dim];
@@ -87,6 +87,8 @@ int
 main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test<2>();
-  test<3>();
+  test<2>(JitteredBox<2>(4));
+  test<3>(JitteredBox<3>(4));
+  test<2>(BoxMesh<2>("hypercubes", 8));
+  test<3>(BoxMesh<3>("hypercubes", 6));
 }

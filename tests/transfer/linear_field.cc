@@ -12,10 +12,11 @@ using namespace Test;
 
 template <int dim>
 void
-test()
+test(const Mesh::MeshSource<dim> &source)
 {
-  ScatteredPoints<dim> test(
-    [](const Point<dim> &) { return Tensor<1, dim>(); });
+  ScatteredPoints<dim> test(source, [](const Point<dim> &) {
+    return Tensor<1, dim>();
+  });
   test.project();
 
   Tensor<2, dim> gradient;
@@ -38,7 +39,7 @@ test()
   const double time_step = dim == 2 ? .15 : .08, pic_factor = .25;
   auto        &points      = test.points.arrays();
   double       worst_place = 0., worst_velocity = 0., worst_gradient = 0.;
-  unsigned int n_moved = 0, n_wrong_cells = 0, n_lost = 0;
+  unsigned int n_moved = 0, n_wrong_cells = 0, n_lost = 0, n_wrong_runs = 0;
   for (unsigned int p = 0; p < points.size(); ++p)
     points.velocity[0][p] = 1.;
   std::vector<Point<dim>> old_places;
@@ -49,9 +50,17 @@ test()
   test.for_each_block([&] {
     auto &block = test.block;
     Transfer::evaluate_gradients(test.mesh, fields, points, block);
-    for (unsigned int r = 0; r < block.runs.size(); ++r)
+    for (const auto &of_points : block.gradients)
       worst_gradient =
-        std::max(worst_gradient, (block.gradients[r] - 3. * gradient).norm());
+        std::max(worst_gradient, (of_points - 3. * gradient).norm());
+    unsigned int end = block.begin;
+    for (const auto &strained : block.strained)
+      {
+        n_wrong_runs += strained.begin != end;
+        end = strained.end;
+      }
+    n_wrong_runs +=
+      end != block.end || block.strained.size() != block.gradients.size();
     Transfer::move_points(
       test.mesh, fields, block, time_step, pic_factor, points);
     n_lost +=
@@ -59,12 +68,15 @@ test()
       Transfer::no_point;
     for (unsigned int p = block.begin; p < block.end; ++p)
       {
-        const auto values =
-          test.mesh.cell(points.cell[p]).shape_values(points.location(p));
-        for (unsigned int k = 0; k <= dim; ++k)
-          n_wrong_cells +=
-            values[k] < -1e-9 ||
-            std::abs(values[k] - block.shape_values[k][p - block.begin]) > 1e-8;
+        test.mesh.visit([&](const auto &cells) {
+          const auto values =
+            cells[points.cell[p]].shape_values(points.location(p));
+          for (unsigned int k = 0; k < values.size(); ++k)
+            n_wrong_cells +=
+              values[k] < -1e-9 ||
+              std::abs(values[k] - block.shape_values[k][p - block.begin]) >
+                1e-8;
+        });
       }
   });
   for (unsigned int p = 0; p < points.size(); ++p)
@@ -84,13 +96,16 @@ test()
             << ", velocities exact " << (worst_velocity < 1e-13)
             << ", gradients exact " << (worst_gradient < 1e-12) << std::endl
             << "many changed cells " << (n_moved > 300) << ", wrong cells "
-            << n_wrong_cells << ", lost " << n_lost << std::endl;
+            << n_wrong_cells << ", lost " << n_lost << ", wrong runs "
+            << n_wrong_runs << std::endl;
 }
 
 int
 main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test<2>();
-  test<3>();
+  test<2>(JitteredBox<2>(4));
+  test<3>(JitteredBox<3>(4));
+  test<2>(BoxMesh<2>("hypercubes", 6));
+  test<3>(BoxMesh<3>("hypercubes", 6));
 }

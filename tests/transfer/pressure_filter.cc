@@ -51,12 +51,13 @@ largest_error(ScatteredPoints<dim>                            &test,
 
 template <int dim>
 void
-test()
+test(const Mesh::MeshSource<dim> &source)
 {
-  ScatteredPoints<dim> test(
-    [](const Point<dim> &) { return Tensor<1, dim>(); });
-  const auto &points = test.points.arrays();
-  const auto  linear = [](const Point<dim> &x) {
+  ScatteredPoints<dim> test(source, [](const Point<dim> &) {
+    return Tensor<1, dim>();
+  });
+  const auto          &points = test.points.arrays();
+  const auto           linear = [](const Point<dim> &x) {
     return 3. - 2. * x[dim - 1] + x[0];
   };
   const auto at = [&](const unsigned int p) {
@@ -93,6 +94,8 @@ int
 main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test<2>();
-  test<3>();
+  test<2>(JitteredBox<2>(4));
+  test<3>(JitteredBox<3>(4));
+  test<2>(BoxMesh<2>("hypercubes", 8));
+  test<3>(BoxMesh<3>("hypercubes", 6));
 }

@@ -1,7 +1,9 @@
 #ifndef tests_transfer_scattered_points_h
 #define tests_transfer_scattered_points_h
 
+#include "../box_mesh.h"
 #include "../jittered_box.h"
+#include "../seeds.h"
 
 #include <mpm_granular/grid/nodal_fields.h>
 #include <mpm_granular/points/material_points.h>
@@ -18,30 +20,30 @@ namespace Test
   template <int dim>
   struct ScatteredPoints
   {
-    const Mesh::BackgroundMesh<dim> mesh;
-    const Mesh::Partition<dim>      partition;
-    Points::MaterialPoints<dim>     points;
-    Grid::NodalFields<dim>          fields;
-    Transfer::PointBlock<dim>       block;
+    Mesh::BackgroundMesh<dim>   mesh;
+    const Mesh::Partition<dim>  partition;
+    Points::MaterialPoints<dim> points;
+    Grid::NodalFields<dim>      fields;
+    Transfer::PointBlock<dim>   block;
 
-    explicit ScatteredPoints(
+    ScatteredPoints(
+      const Mesh::MeshSource<dim>                             &source,
       const std::function<Tensor<1, dim>(const Point<dim> &)> &velocity,
       const MPI_Comm communicator = MPI_COMM_SELF)
-      : mesh(JitteredBox<dim>(4), "")
+      : mesh(source, "", communicator)
       , partition({}, mesh, communicator)
       , points(mesh, partition, {})
       , fields(mesh, partition)
     {
       // Steps of which no two or three are in proportion fill the box evenly.
       constexpr double spread[] = {.8191725134, .6710436067, .5497004779};
-      std::vector<Points::Seed<dim>> seeds;
-      for (unsigned int i = 0; i < 3000; ++i)
-        {
-          Point<dim> x;
-          for (unsigned int d = 0; d < dim; ++d)
-            x[d] = .1 + .8 * std::fmod((i + 1) * spread[d], 1.);
-          seeds.push_back({x, mesh.locate(x), 1e-3 * (1. + scattered(i))});
-        }
+      std::vector<Point<dim>> places(3000);
+      for (unsigned int i = 0; i < places.size(); ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          places[i][d] = .1 + .8 * std::fmod((i + 1) * spread[d], 1.);
+      auto seeds = seeds_at(mesh, places, 1e-3);
+      for (auto &seed : seeds)
+        seed.volume *= 1. + scattered(seed.index);
       points.insert(seeds, 0, 1000.);
       points.load();
       auto &arrays = points.arrays();
@@ -74,8 +76,8 @@ namespace Test
       fields.clear_cells();
       for_each_block([&] {
         Transfer::relocate(mesh, partition, points.arrays(), block);
-        Transfer::add_mass_and_momentum(points.arrays(), block, fields);
-        Transfer::add_stress(points.arrays(), block, fields);
+        Transfer::add_mass_and_momentum(mesh, points.arrays(), block, fields);
+        Transfer::add_stress(mesh, points.arrays(), block, fields);
       });
       fields.gather_nodes();
     }

@@ -90,6 +90,12 @@ namespace mpm_granular::Mesh
       return communicator;
     }
 
+    CellKind
+    cell_kind() const
+    {
+      return kind;
+    }
+
     /// Whether each rank has a part of the mesh only.
     bool
     is_distributed() const

@@ -38,6 +38,10 @@ namespace mpm_granular::Mesh
     hypercube ///< parallelograms, parallelepipeds
   };
 
+  /// What cells of a kind are called: "triangles", say.
+  std::string
+  name_of_cells(const CellKind kind, const int dim);
+
   /// Where a mesh comes from: a box, a file.
   template <int dim>
   class MeshSource : public Parameters::ParameterGroup
