@@ -77,52 +77,38 @@ namespace mpm_granular::Grid
 
   template <int dim>
   void
-  NodalFields<dim>::activate_nodes()
+  NodalFields<dim>::gather_nodes()
   {
     active_nodes.clear();
-    visit([&](auto &active) {
+    sums.clear();
+    mesh.visit([&](const auto &cells) {
+      using Cell   = typename std::decay_t<decltype(cells)>::value_type;
+      auto &active = this->template cells<Cell>();
       active.nodes.resize(active_cells.size());
       for (unsigned int c = 0; c < active_cells.size(); ++c)
         {
-          const auto nodes = mesh.nodes(active_cells[c]);
-          for (unsigned int k = 0; k < nodes.size(); ++k)
+          const Cell           &cell    = cells[active_cells[c]];
+          const CellSums<Cell> &of_cell = active.sums[c];
+          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
             {
-              const unsigned int node = nodes[k];
-              if (!is_active_node(node))
+              if (!is_active_node(cell.node[k]))
                 {
-                  node_slot[node] = active_nodes.size();
-                  active_nodes.push_back(node);
+                  node_slot[cell.node[k]] = active_nodes.size();
+                  active_nodes.push_back(cell.node[k]);
+                  sums.emplace_back();
                 }
-              active.nodes[c][k] = node_slot[node];
-            }
-        }
-    });
-    sums.assign(active_nodes.size(), {});
-    motion.resize(active_nodes.size());
-  }
-
-  template <int dim>
-  void
-  NodalFields<dim>::gather_nodes()
-  {
-    activate_nodes();
-    visit([&](const auto &active) {
-      for (unsigned int c = 0; c < active_cells.size(); ++c)
-        {
-          const auto            &cell = active.sums[c];
-          constexpr unsigned int n_nodes =
-            std::decay_t<decltype(cell)>::n_nodes;
-          for (unsigned int k = 0; k < n_nodes; ++k)
-            {
-              NodeSums<dim> &node = sums[active.nodes[c][k]];
-              for (unsigned int j = 0; j < n_nodes; ++j)
-                node.mass += cell.mass[k * n_nodes + j];
+              const unsigned int slot = node_slot[cell.node[k]];
+              active.nodes[c][k]      = slot;
+              NodeSums<dim> &node     = sums[slot];
+              for (unsigned int j = 0; j < Cell::n_nodes; ++j)
+                node.mass += of_cell.mass[k * Cell::n_nodes + j];
               for (unsigned int d = 0; d < dim; ++d)
-                node.momentum[d] += cell.momentum[d][k];
+                node.momentum[d] += of_cell.momentum[d][k];
             }
+          Grid::add_forces(cell, of_cell.internal, active.nodes[c], sums);
         }
     });
-    add_forces();
+    motion.resize(active_nodes.size());
     if (shared.is_serial())
       return;
 
@@ -164,21 +150,6 @@ namespace mpm_granular::Grid
   {
     for (auto &node : sums)
       node.force = 0.;
-    add_forces();
-    if (shared.is_serial())
-      return;
-    partial.resize(sums.size());
-    for (unsigned int i = 0; i < sums.size(); ++i)
-      partial[i] = sums[i].force;
-    shared.sum(partial);
-    for (unsigned int i = 0; i < sums.size(); ++i)
-      sums[i].force = partial[i];
-  }
-
-  template <int dim>
-  void
-  NodalFields<dim>::add_forces()
-  {
     mesh.visit([&](const auto &cells) {
       using Cell         = typename std::decay_t<decltype(cells)>::value_type;
       const auto &active = this->template cells<Cell>();
@@ -188,6 +159,14 @@ namespace mpm_granular::Grid
                          active.nodes[c],
                          sums);
     });
+    if (shared.is_serial())
+      return;
+    partial.resize(sums.size());
+    for (unsigned int i = 0; i < sums.size(); ++i)
+      partial[i] = sums[i].force;
+    shared.sum(partial);
+    for (unsigned int i = 0; i < sums.size(); ++i)
+      sums[i].force = partial[i];
   }
 
   template <int dim>

@@ -74,7 +74,7 @@ namespace mpm_granular::Transfer
       using Cell                            = Mesh::BoxCell<dim>;
       static constexpr unsigned int n_nodes = Cell::n_nodes;
 
-      double value[n_nodes][dim];
+      double value[dim][n_nodes];
 
       template <class NodalValue>
       CellField(const Cell &, NodalValue &&nodal)
@@ -83,7 +83,7 @@ namespace mpm_granular::Transfer
           {
             const Tensor<1, dim> &of_node = nodal(k);
             for (unsigned int d = 0; d < dim; ++d)
-              value[k][d] = of_node[d];
+              value[d][k] = of_node[d];
           }
       }
 
@@ -107,7 +107,7 @@ namespace mpm_granular::Transfer
       {
         double sum = 0.;
         for (unsigned int k = 0; k < n_nodes; ++k)
-          sum += shape_values[k] * value[k][i];
+          sum += shape_values[k] * value[i][k];
         return sum;
       }
     };
@@ -205,15 +205,17 @@ namespace mpm_granular::Transfer
       const CellField<Cell> field(cell, straining);
       for (unsigned int p = run.begin; p < run.end; ++p)
         {
-          const auto xi = cell.unit_coordinates(points.location(p));
-          double     along[dim][dim] = {}; // derivatives of u_i by xi_d
-          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-            {
-              const auto derivatives = Cell::derivatives_at(xi, k);
-              for (unsigned int i = 0; i < dim; ++i)
-                for (unsigned int d = 0; d < dim; ++d)
-                  along[i][d] += field.value[k][i] * derivatives[d];
-            }
+          const auto derivatives =
+            Cell::derivatives_at(cell.unit_coordinates(points.location(p)));
+          double along[dim][dim]; // derivatives of u_i by xi_d
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                double sum = 0.;
+                for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+                  sum += field.value[i][k] * derivatives[d][k];
+                along[i][d] = sum;
+              }
           Tensor<2, dim> gradient;
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = 0; j < dim; ++j)

@@ -83,16 +83,13 @@ namespace mpm_granular::Transfer
             for (unsigned int j = 0; j < dim; ++j)
               flux[i][d] += sigma[i][j] * cell.gradient[d][j];
           }
-      const auto xi = cell.unit_coordinates(points.location(p));
-      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-        {
-          const auto derivatives = Cell::derivatives_at(xi, k);
-          for (unsigned int i = 0; i < dim; ++i)
-            for (unsigned int d = 0; d < dim; ++d)
-              sums.force[i][k] -= flux[i][d] * derivatives[d];
-        }
+      const auto derivatives =
+        Cell::derivatives_at(cell.unit_coordinates(points.location(p)));
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+            sums.force[i][k] -= flux[i][d] * derivatives[d][k];
     }
-
   } // namespace
 
   template <int dim>

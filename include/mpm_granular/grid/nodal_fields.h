@@ -202,11 +202,6 @@ namespace mpm_granular::Grid
     memory_consumption() const;
 
   private:
-    void
-    activate_nodes();
-    void
-    add_forces();
-
     std::variant<ActiveCells<Mesh::SimplexCell<dim>>,
                  ActiveCells<Mesh::BoxCell<dim>>>
       all_cells;

@@ -83,18 +83,21 @@ namespace mpm_granular::Mesh
       return values;
     }
 
-    /// Derivatives of shape function @p k with respect to xi_1 .. xi_dim.
-    static std::array<double, dim>
-    derivatives_at(const std::array<double, dim> &xi, const unsigned int k)
+    /// Derivatives of the shape functions with respect to xi_1 .. xi_dim at a
+    /// place of the unit cube.
+    static std::array<std::array<double, n_nodes>, dim>
+    derivatives_at(const std::array<double, dim> &xi)
     {
-      std::array<double, dim> derivatives;
+      std::array<std::array<double, n_nodes>, dim> derivatives;
       for (unsigned int d = 0; d < dim; ++d)
-        {
-          derivatives[d] = is_upper(k, d) ? 1. : -1.;
-          for (unsigned int e = 0; e < dim; ++e)
-            if (e != d)
-              derivatives[d] *= is_upper(k, e) ? xi[e] : 1. - xi[e];
-        }
+        for (unsigned int k = 0; k < n_nodes; ++k)
+          {
+            double product = is_upper(k, d) ? 1. : -1.;
+            for (unsigned int e = 0; e < dim; ++e)
+              if (e != d)
+                product *= is_upper(k, e) ? xi[e] : 1. - xi[e];
+            derivatives[d][k] = product;
+          }
       return derivatives;
     }
 
@@ -156,11 +159,11 @@ namespace mpm_granular::Mesh
     shape_gradient(const std::array<double, dim> &xi,
                    const unsigned int             k) const
     {
-      const auto             derivatives = derivatives_at(xi, k);
+      const auto             derivatives = derivatives_at(xi);
       dealii::Tensor<1, dim> g;
       for (unsigned int d = 0; d < dim; ++d)
         for (unsigned int j = 0; j < dim; ++j)
-          g[j] += derivatives[d] * gradient[d][j];
+          g[j] += derivatives[d][k] * gradient[d][j];
       return g;
     }
 
