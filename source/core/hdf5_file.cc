@@ -1,10 +1,16 @@
-#include <mpm_granular/checkpoint/hdf5_file.h>
+#include <mpm_granular/core/exceptions.h>
+#include <mpm_granular/core/hdf5_file.h>
+#include <mpm_granular/core/synchronize.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
+#include <system_error>
 
-namespace mpm_granular::Checkpoint
+namespace mpm_granular::Core
 {
-  using Core::NumberType;
+  namespace MPI = dealii::Utilities::MPI;
+  namespace fs  = std::filesystem;
 
   namespace
   {
@@ -60,6 +66,8 @@ namespace mpm_granular::Checkpoint
             return H5Tcopy(in_file ? H5T_STD_U32LE : H5T_NATIVE_UINT32);
           case NumberType::natural64:
             return H5Tcopy(in_file ? H5T_STD_U64LE : H5T_NATIVE_UINT64);
+          case NumberType::real32:
+            return H5Tcopy(in_file ? H5T_IEEE_F32LE : H5T_NATIVE_FLOAT);
           case NumberType::real64:
             return H5Tcopy(in_file ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE);
           case NumberType::character:
@@ -84,6 +92,8 @@ namespace mpm_granular::Checkpoint
         result = NumberType::character;
       else if (kind == H5T_FLOAT && size == 8)
         result = NumberType::real64;
+      else if (kind == H5T_FLOAT && size == 4)
+        result = NumberType::real32;
       else if (kind == H5T_INTEGER && size == 8)
         result = NumberType::natural64;
       else if (kind == H5T_INTEGER && size == 4)
@@ -186,19 +196,64 @@ namespace mpm_granular::Checkpoint
                   const Extent      &extent,
                   const void        *data)
   {
+    write_in_pieces(name,
+                    type,
+                    extent,
+                    {std::max<std::uint64_t>(extent.n_rows, 1), 0},
+                    [data](const auto, const auto) { return data; });
+  }
+
+
+
+  void
+  Hdf5File::write_in_pieces(
+    const std::string                                             &name,
+    const NumberType                                               type,
+    const Extent                                                  &extent,
+    const Pieces                                                  &pieces,
+    const std::function<const void *(const std::uint64_t first,
+                                     const std::uint64_t n_rows)> &piece)
+  {
     const Handle file_type(copy_of_type(type, extent.width, true), H5Tclose);
     const Handle space(make_space(extent.n_rows, numbers_a_row(type, extent)),
                        H5Sclose);
     const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
     H5Pset_create_intermediate_group(links, 1);
+    const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    if (pieces.compression_level > 0 && extent.n_rows > 0)
+      {
+        const std::array<hsize_t, 2> chunk{
+          {std::min(pieces.n_rows, extent.n_rows), extent.width}};
+        H5Pset_chunk(creation, extent.width == 1 ? 1 : 2, chunk.data());
+        H5Pset_shuffle(creation);
+        H5Pset_deflate(creation, pieces.compression_level);
+      }
     const Handle dataset(
       H5Dcreate2(
-        file, name.c_str(), file_type, space, links, H5P_DEFAULT, H5P_DEFAULT),
+        file, name.c_str(), file_type, space, links, creation, H5P_DEFAULT),
       H5Dclose);
     require_on_all(dataset.is_good(), "make '" + name + "'");
-    require_on_all(
-      transfer(Mode::create, dataset, type, extent, const_cast<void *>(data)),
-      "write '" + name + "'");
+    const std::uint64_t n_rounds =
+      MPI::max((extent.n_local_rows + pieces.n_rows - 1) / pieces.n_rows, comm);
+    bool is_good = true;
+    for (std::uint64_t round = 0; round < n_rounds; ++round)
+      {
+        // All take part, also those that have nothing left.
+        const std::uint64_t first =
+          std::min(round * pieces.n_rows, extent.n_local_rows);
+        Extent of_piece    = extent;
+        of_piece.first_row = extent.first_row + first;
+        of_piece.n_local_rows =
+          std::min(pieces.n_rows, extent.n_local_rows - first);
+        is_good =
+          transfer(Mode::create,
+                   dataset,
+                   type,
+                   of_piece,
+                   const_cast<void *>(piece(first, of_piece.n_local_rows))) &&
+          is_good;
+      }
+    require_on_all(is_good, "write '" + name + "'");
   }
 
 
@@ -300,7 +355,47 @@ namespace mpm_granular::Checkpoint
   void
   Hdf5File::require_on_all(const bool is_good, const std::string &what) const
   {
-    if (dealii::Utilities::MPI::min(is_good ? 1 : 0, comm) == 0)
+    if (MPI::min(is_good ? 1 : 0, comm) == 0)
       throw Hdf5Error("HDF5 cannot " + what);
   }
-} // namespace mpm_granular::Checkpoint
+
+
+
+  void
+  write_hdf5_atomically(const std::string                     &path,
+                        const MPI_Comm                         comm,
+                        const std::function<void(Hdf5File &)> &write)
+  {
+    const std::string temporary = path + ".tmp";
+    const bool        is_first  = MPI::this_mpi_process(comm) == 0;
+    std::string       reason;
+    try
+      {
+        {
+          Hdf5File file(temporary, Hdf5File::Mode::create, comm);
+          write(file);
+          file.close();
+        }
+        if (is_first)
+          replace_file(temporary, path);
+      }
+    catch (const Hdf5Error &error)
+      {
+        reason = error.what();
+      }
+    catch (const fs::filesystem_error &error)
+      {
+        reason = error.what();
+      }
+    if (MPI::min(reason.empty() ? 1 : 0, comm) == 1)
+      return;
+
+    std::error_code ignored;
+    if (is_first)
+      fs::remove(temporary, ignored);
+    throw ComputationError(
+      "Cannot write '" + path +
+      "': " + (reason.empty() ? "another process failed" : reason) +
+      ". Is there space on the disk, and may the folder be written to?");
+  }
+} // namespace mpm_granular::Core

@@ -1,17 +1,18 @@
-#ifndef mpm_granular_checkpoint_hdf5_file_h
-#define mpm_granular_checkpoint_hdf5_file_h
+#ifndef mpm_granular_core_hdf5_file_h
+#define mpm_granular_core_hdf5_file_h
 
 #include <deal.II/base/mpi.h>
 
 #include <hdf5.h>
 
-#include <mpm_granular/core/archive.h>
+#include <mpm_granular/core/number_type.h>
 
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
-namespace mpm_granular::Checkpoint
+namespace mpm_granular::Core
 {
   /// HDF5 could not do what it was asked to.
   class Hdf5Error : public std::runtime_error
@@ -62,22 +63,44 @@ namespace mpm_granular::Checkpoint
     /// The type and the extent of the array @p name; nothing is of this
     /// process yet. A text has one row.
     Extent
-    extent(const std::string &name, Core::NumberType &type) const;
+    extent(const std::string &name, NumberType &type) const;
 
     /// Makes the array @p name with groups as needed. Texts, arrays of
     /// characters, have the type string.
     void
-    write(const std::string     &name,
-          const Core::NumberType type,
-          const Extent          &extent,
-          const void            *data);
+    write(const std::string &name,
+          const NumberType   type,
+          const Extent      &extent,
+          const void        *data);
+
+    /// How an array is written that is made piece by piece.
+    struct Pieces
+    {
+      std::uint64_t n_rows;            ///< in a piece of a process, at most
+      unsigned int  compression_level; ///< 0, not at all, to 9
+    };
+
+    /**
+     * The same without having all rows at a time.
+     *
+     * @param piece gives @p n_rows rows of this process from its row @p first
+     *   on; they are used before the next call.
+     */
+    void
+    write_in_pieces(
+      const std::string                                             &name,
+      const NumberType                                               type,
+      const Extent                                                  &extent,
+      const Pieces                                                  &pieces,
+      const std::function<const void *(const std::uint64_t first,
+                                       const std::uint64_t n_rows)> &piece);
 
     /// Reads this process's rows of the array @p name.
     void
-    read(const std::string     &name,
-         const Core::NumberType type,
-         const Extent          &extent,
-         void                  *data) const;
+    read(const std::string &name,
+         const NumberType   type,
+         const Extent      &extent,
+         void              *data) const;
 
     /// An attribute of the array @p object, or of the file with "/".
     void
@@ -96,15 +119,29 @@ namespace mpm_granular::Checkpoint
     /// Writes or reads the rows of an open data set. @return whether that
     /// worked on this process.
     static bool
-    transfer(const Mode             mode,
-             const hid_t            dataset,
-             const Core::NumberType type,
-             const Extent          &extent,
-             void                  *data);
+    transfer(const Mode       mode,
+             const hid_t      dataset,
+             const NumberType type,
+             const Extent    &extent,
+             void            *data);
 
     const MPI_Comm comm;
     hid_t          file = -1;
   };
-} // namespace mpm_granular::Checkpoint
+
+  /**
+   * Writes an HDF5 file so that at any moment either a complete file has the
+   * name @p path or none: HDF5 writes to a temporary name, closes it, and the
+   * file is brought to the disk before it gets its name.
+   *
+   * All processes of @p comm write one file together.
+   *
+   * @throws ComputationError on all processes if that is not possible.
+   */
+  void
+  write_hdf5_atomically(const std::string                     &path,
+                        const MPI_Comm                         comm,
+                        const std::function<void(Hdf5File &)> &write);
+} // namespace mpm_granular::Core
 
 #endif
