@@ -117,6 +117,18 @@ namespace mpm_granular::Core
 
 
 
+    /// Properties of the class @p kind for what is made, without the time of its
+    /// making: files with the same content are the same.
+    hid_t
+    creation_properties(const hid_t kind)
+    {
+      const hid_t properties = H5Pcreate(kind);
+      H5Pset_obj_track_times(properties, false);
+      return properties;
+    }
+
+
+
     /// A text is one row of HDF5's type string, not a row of characters.
     std::uint64_t
     numbers_a_row(const NumberType type, const Extent &extent)
@@ -141,8 +153,9 @@ namespace mpm_granular::Core
       access.is_good() && H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL) >= 0 &&
       H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST) >= 0;
     require_on_all(is_set_up, "open a file in parallel");
+    const Handle creation(creation_properties(H5P_FILE_CREATE), H5Pclose);
     file = mode == Mode::create ?
-             H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access) :
+             H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access) :
              H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
     require_on_all(file >= 0, "open the file");
   }
@@ -217,9 +230,15 @@ namespace mpm_granular::Core
     const Handle file_type(copy_of_type(type, extent.width, true), H5Tclose);
     const Handle space(make_space(extent.n_rows, numbers_a_row(type, extent)),
                        H5Sclose);
-    const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-    H5Pset_create_intermediate_group(links, 1);
-    const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const std::string group = name.substr(0, name.find('/'));
+    if (group != name && H5Lexists(file, group.c_str(), H5P_DEFAULT) == 0)
+      {
+        const Handle of_group(creation_properties(H5P_GROUP_CREATE), H5Pclose);
+        const Handle made(
+          H5Gcreate2(file, group.c_str(), H5P_DEFAULT, of_group, H5P_DEFAULT),
+          H5Gclose);
+      }
+    const Handle creation(creation_properties(H5P_DATASET_CREATE), H5Pclose);
     if (pieces.compression_level > 0 && extent.n_rows > 0)
       {
         const std::array<hsize_t, 2> chunk{
@@ -228,10 +247,14 @@ namespace mpm_granular::Core
         H5Pset_shuffle(creation);
         H5Pset_deflate(creation, pieces.compression_level);
       }
-    const Handle dataset(
-      H5Dcreate2(
-        file, name.c_str(), file_type, space, links, creation, H5P_DEFAULT),
-      H5Dclose);
+    const Handle dataset(H5Dcreate2(file,
+                                    name.c_str(),
+                                    file_type,
+                                    space,
+                                    H5P_DEFAULT,
+                                    creation,
+                                    H5P_DEFAULT),
+                         H5Dclose);
     require_on_all(dataset.is_good(), "make '" + name + "'");
     const std::uint64_t n_rounds =
       MPI::max((extent.n_local_rows + pieces.n_rows - 1) / pieces.n_rows, comm);

@@ -4,12 +4,23 @@ namespace mpm_granular::Output
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// The first rank writes alone.
+    OutputParameters
+    in_one_file(OutputParameters parameters)
+    {
+      if (parameters.format == "PVTU")
+        parameters.format = "VTU";
+      return parameters;
+    }
+  } // namespace
+
   template <int dim>
   GridOutput<dim>::GridOutput(const OutputParameters &parameters,
                               const MPI_Comm          communicator)
-    : parameters(parameters)
-    , is_first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
-    , series(parameters.directory, "grid", communicator)
+    : is_first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , series(in_one_file(parameters), "grid", communicator)
   {}
 
 
@@ -21,8 +32,9 @@ namespace mpm_granular::Output
                          const Mesh::BackgroundMesh<dim> &mesh,
                          const std::vector<Field>        &fields)
   {
-    VtuContents<dim, dim> contents;
-    contents.n_items = mesh.n_cells();
+    Contents<dim, dim> contents;
+    contents.n_items = is_first_rank ? mesh.n_cells() : 0;
+    contents.n_nodes = is_first_rank ? mesh.n_nodes() : 0;
     contents.nodes   = [&mesh](const std::size_t cell) {
       std::array<std::size_t, dim + 1> nodes;
       for (unsigned int k = 0; k <= dim; ++k)
@@ -33,15 +45,7 @@ namespace mpm_granular::Output
       return mesh.node_position(node);
     };
     contents.fields = fields;
-
-    DataOutBase::VtkFlags flags = parameters.vtk_flags();
-    flags.time                  = time;
-    flags.cycle                 = step;
-    // The first rank has the whole mesh.
-    series.add(time, [&](std::ostream &out) {
-      if (is_first_rank)
-        write_vtu(out, flags, contents, MPI_COMM_SELF);
-    });
+    series.add(time, step, contents);
   }
 
 

@@ -65,8 +65,8 @@ namespace mpm_granular::Core
     Extent
     extent(const std::string &name, NumberType &type) const;
 
-    /// Makes the array @p name with groups as needed. Texts, arrays of
-    /// characters, have the type string.
+    /// Makes the array @p name, "name" or "group/name", with its group if needed.
+    /// Texts, arrays of characters, have the type string.
     void
     write(const std::string &name,
           const NumberType   type,
