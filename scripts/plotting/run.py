@@ -7,7 +7,8 @@ import xml.etree.ElementTree
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import (vtkXMLPUnstructuredGridReader,
+                                 vtkXMLUnstructuredGridReader)
 
 AXES = "xyz"
 
@@ -31,8 +32,9 @@ def read_parameters(path):
 
 
 def read_points(path):
-    """Positions and fields of the points in a VTU file, all SI units."""
-    reader = vtkXMLUnstructuredGridReader()
+    """Positions and fields of the points in a VTU or PVTU file, all SI units."""
+    reader = (vtkXMLPUnstructuredGridReader() if path.suffix == ".pvtu"
+              else vtkXMLUnstructuredGridReader())
     reader.SetFileName(str(path))
     reader.Update()
     grid = reader.GetOutput()
@@ -52,6 +54,9 @@ class Run:
         self.folder = pathlib.Path(folder)
         if not self.folder.is_dir():
             raise NotARun(f"there is no folder '{folder}'")
+        if (self.folder / "points.xdmf").is_file():
+            raise NotARun(f"'{folder}' has HDF5 files of points; pictures are "
+                          "made of runs with Output/Format = VTU or PVTU")
         for name in ("manifest.json", "parameters.prm", "observables.csv",
                      "points.pvd"):
             if not (self.folder / name).is_file():

@@ -5,14 +5,10 @@
 
 namespace mpm_granular::Checkpoint
 {
-  namespace MPI = dealii::Utilities::MPI;
-
   CheckpointTrigger::CheckpointTrigger(const CheckpointParameters &parameters,
-                                       const MPI_Comm              comm)
+                                       const bool                  keeps_time)
     : parameters(parameters)
-    , comm(comm)
-    , keeps_time(parameters.wall_interval > 0. &&
-                 MPI::this_mpi_process(comm) == 0)
+    , keeps_time(keeps_time && parameters.wall_interval > 0.)
     , last_written(Clock::now())
   {}
 
@@ -27,17 +23,25 @@ namespace mpm_granular::Checkpoint
 
 
   bool
-  CheckpointTrigger::is_due(const unsigned int step, const double time)
+  CheckpointTrigger::is_asked_for() const
   {
-    const double n_now        = n_intervals(time);
-    const bool   is_asked_for = Core::take_checkpoint_request();
-    const bool   is_due_here =
-      (parameters.step_interval > 0 && step % parameters.step_interval == 0) ||
-      n_now > n_passed || is_asked_for ||
-      (keeps_time &&
-       std::chrono::duration<double>(Clock::now() - last_written).count() >=
-         parameters.wall_interval);
-    if (MPI::max(is_due_here ? 1 : 0, comm) == 0)
+    return Core::take_checkpoint_request() ||
+           (keeps_time &&
+            std::chrono::duration<double>(Clock::now() - last_written)
+                .count() >= parameters.wall_interval);
+  }
+
+
+
+  bool
+  CheckpointTrigger::is_due(const unsigned int step,
+                            const double       time,
+                            const bool         is_asked_for_anywhere)
+  {
+    const double n_now = n_intervals(time);
+    const bool   is_at_step =
+      parameters.step_interval > 0 && step % parameters.step_interval == 0;
+    if (!is_at_step && n_now <= n_passed && !is_asked_for_anywhere)
       return false;
     n_passed     = n_now;
     last_written = Clock::now();

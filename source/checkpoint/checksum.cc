@@ -10,7 +10,7 @@ namespace mpm_granular::Checkpoint
     /// The sum over the numbers of this process.
     template <class Bits>
     std::uint64_t
-    local_sum(const Extent &extent, const void *data)
+    local_sum(const Core::Extent &extent, const void *data)
     {
       const std::uint64_t first  = extent.first_row * extent.width;
       const std::uint64_t n      = extent.n_local_rows * extent.width;
@@ -30,7 +30,7 @@ namespace mpm_granular::Checkpoint
 
   std::uint64_t
   checksum(const Core::NumberType type,
-           const Extent          &extent,
+           const Core::Extent    &extent,
            const void            *data,
            const MPI_Comm         comm)
   {

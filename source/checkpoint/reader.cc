@@ -16,7 +16,9 @@ namespace mpm_granular::Checkpoint
   {
     try
       {
-        file = std::make_unique<Hdf5File>(path, Hdf5File::Mode::read, comm);
+        file               = std::make_unique<Core::Hdf5File>(path,
+                                                Core::Hdf5File::Mode::read,
+                                                comm);
         const auto version = file->read_attribute("/", "format_version");
         if (version > format_version)
           refuse("a newer version of this program wrote it (format " +
@@ -25,7 +27,7 @@ namespace mpm_granular::Checkpoint
         n_ranks_then = file->read_attribute("/", "n_ranks");
         verify();
       }
-    catch (const Hdf5Error &error)
+    catch (const Core::Hdf5Error &error)
       {
         refuse(error.what());
       }
@@ -49,8 +51,8 @@ namespace mpm_granular::Checkpoint
     std::istringstream names("contents\n" + contents);
     for (std::string name; std::getline(names, name);)
       {
-        NumberType type;
-        Extent     extent = file->extent(name, type);
+        NumberType   type;
+        Core::Extent extent = file->extent(name, type);
         // Equal parts: who reads what does not matter for a checksum.
         const std::uint64_t n_ranks = MPI::n_mpi_processes(comm);
         const std::uint64_t rank    = MPI::this_mpi_process(comm);
@@ -73,8 +75,8 @@ namespace mpm_granular::Checkpoint
   {
     try
       {
-        NumberType type;
-        Extent     extent   = file->extent(name, type);
+        NumberType   type;
+        Core::Extent extent = file->extent(name, type);
         extent.n_local_rows = extent.n_rows;
         if (type != numbers.type)
           refuse("'" + name + "' is of another type");
@@ -92,7 +94,7 @@ namespace mpm_granular::Checkpoint
         if (!data.empty())
           std::memcpy(target, data.data(), data.size());
       }
-    catch (const Hdf5Error &error)
+    catch (const Core::Hdf5Error &error)
       {
         refuse(error.what());
       }
@@ -107,8 +109,8 @@ namespace mpm_granular::Checkpoint
   {
     try
       {
-        NumberType type;
-        Extent     extent = file->extent(name, type);
+        NumberType   type;
+        Core::Extent extent = file->extent(name, type);
         if (type != numbers.type || extent.width != width)
           refuse("'" + name + "' is of another type");
         choose_rows(name.substr(0, name.find('/')), extent);
@@ -117,7 +119,7 @@ namespace mpm_granular::Checkpoint
                    extent,
                    numbers.resize(extent.n_local_rows * width));
       }
-    catch (const Hdf5Error &error)
+    catch (const Core::Hdf5Error &error)
       {
         refuse(error.what());
       }
@@ -126,7 +128,7 @@ namespace mpm_granular::Checkpoint
 
 
   void
-  Reader::choose_rows(const std::string &group, Extent &extent)
+  Reader::choose_rows(const std::string &group, Core::Extent &extent)
   {
     const std::uint64_t n_ranks = MPI::n_mpi_processes(comm);
     const std::uint64_t rank    = MPI::this_mpi_process(comm);

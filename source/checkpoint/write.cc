@@ -1,16 +1,13 @@
 #include <mpm_granular/checkpoint/checkpoint_file.h>
 #include <mpm_granular/checkpoint/checksum.h>
-#include <mpm_granular/core/exceptions.h>
-#include <mpm_granular/core/synchronize.h>
 
-#include <filesystem>
-#include <numeric>
-#include <system_error>
+#include <algorithm>
+#include <map>
 
 namespace mpm_granular::Checkpoint
 {
   namespace MPI = dealii::Utilities::MPI;
-  namespace fs  = std::filesystem;
+  using Core::Extent;
 
   namespace
   {
@@ -18,9 +15,9 @@ namespace mpm_granular::Checkpoint
     class Writer : public Core::Archive
     {
     public:
-      Writer(const std::string &path, const MPI_Comm comm)
+      Writer(Core::Hdf5File &file, const MPI_Comm comm)
         : comm(comm)
-        , file(path, Hdf5File::Mode::create, comm)
+        , file(file)
       {
         file.write_attribute("/", "format_version", format_version);
         file.write_attribute("/", "n_ranks", MPI::n_mpi_processes(comm));
@@ -38,13 +35,12 @@ namespace mpm_granular::Checkpoint
         return true;
       }
 
-      /// Writes the list of what is in the file, and closes it.
+      /// Writes the list of what is in the file.
       void
-      close()
+      finish()
       {
         std::string names = contents;
         replicated("contents", names);
-        file.close();
       }
 
     private:
@@ -99,7 +95,7 @@ namespace mpm_granular::Checkpoint
       }
 
       const MPI_Comm                                    comm;
-      Hdf5File                                          file;
+      Core::Hdf5File                                   &file;
       std::string                                       contents; ///< names
       std::map<std::string, std::vector<std::uint64_t>> offsets;  ///< by group
     };
@@ -112,36 +108,10 @@ namespace mpm_granular::Checkpoint
         const MPI_Comm                              comm,
         const std::function<void(Core::Archive &)> &serialize)
   {
-    const std::string temporary = path + ".tmp";
-    const bool        is_first  = MPI::this_mpi_process(comm) == 0;
-    std::string       reason;
-    try
-      {
-        {
-          Writer writer(temporary, comm);
-          serialize(writer);
-          writer.close();
-        }
-        if (is_first)
-          Core::replace_file(temporary, path);
-      }
-    catch (const Hdf5Error &error)
-      {
-        reason = error.what();
-      }
-    catch (const fs::filesystem_error &error)
-      {
-        reason = error.what();
-      }
-    if (MPI::min(reason.empty() ? 1 : 0, comm) == 1)
-      return;
-
-    std::error_code ignored;
-    if (is_first)
-      fs::remove(temporary, ignored);
-    throw ComputationError(
-      "Cannot write the checkpoint '" + path +
-      "': " + (reason.empty() ? "another process failed" : reason) +
-      ". Is there space on the disk, and may the folder be written to?");
+    Core::write_hdf5_atomically(path, comm, [&](Core::Hdf5File &file) {
+      Writer writer(file, comm);
+      serialize(writer);
+      writer.finish();
+    });
   }
 } // namespace mpm_granular::Checkpoint

@@ -7,8 +7,7 @@ namespace mpm_granular::Output
   template <int dim>
   GridOutput<dim>::GridOutput(const OutputParameters &parameters,
                               const MPI_Comm          communicator)
-    : parameters(parameters)
-    , series(parameters.directory, "grid", communicator)
+    : series(parameters, "grid", communicator)
   {}
 
 
@@ -21,27 +20,40 @@ namespace mpm_granular::Output
                          const Mesh::Partition<dim>      &partition,
                          const std::vector<Field>        &fields)
   {
-    VtuContents<dim, dim>     contents;
-    std::vector<unsigned int> own_cells;
+    constexpr unsigned int    none = numbers::invalid_unsigned_int;
+    std::vector<unsigned int> cells, nodes, place(mesh.n_nodes(), none);
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       if (partition.is_owned(cell))
-        own_cells.push_back(cell);
-    contents.n_items = own_cells.size();
+        {
+          cells.push_back(cell);
+          for (const unsigned int node : mesh.nodes(cell))
+            if (place[node] == none)
+              {
+                place[node] = nodes.size();
+                nodes.push_back(node);
+              }
+        }
+
+    Contents<dim, dim> contents;
+    contents.shape   = mesh.reference_cell();
+    contents.n_items = cells.size();
+    contents.n_nodes = nodes.size();
     contents.nodes   = [&](const std::size_t item) {
-      const auto nodes = mesh.nodes(own_cells[item]);
-      return ItemNodes<dim>(nodes.begin(), nodes.end());
+      ItemNodes<dim> of_item;
+      for (const unsigned int node : mesh.nodes(cells[item]))
+        of_item.push_back(place[node]);
+      return of_item;
     };
-    contents.position = [&mesh](const std::size_t node) {
-      return mesh.node_position(node);
+    contents.position = [&](const std::size_t i) {
+      return mesh.node_position(nodes[i]);
     };
     contents.fields = fields;
-
-    DataOutBase::VtkFlags flags = parameters.vtk_flags();
-    flags.time                  = time;
-    flags.cycle                 = step;
-    series.add(time, [&](std::ostream &out) {
-      write_vtu(out, flags, contents, partition.communicator);
-    });
+    for (auto &field : contents.fields)
+      field.value = [&nodes, value = field.value](const std::size_t  i,
+                                                  const unsigned int c) {
+        return value(nodes[i], c);
+      };
+    series.add(time, step, contents);
   }
 
 

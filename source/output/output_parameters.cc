@@ -2,6 +2,7 @@
 
 #include <mpm_granular/core/exceptions.h>
 #include <mpm_granular/output/output_parameters.h>
+#include <mpm_granular/parameters/documentation_handler.h>
 
 namespace mpm_granular::Output
 {
@@ -17,9 +18,9 @@ namespace mpm_granular::Output
                       "--overwrite is given.");
     prm.add_parameter("Interval",
                       interval,
-                      "Simulated time between two pictures (VTU files) of the "
-                      "points; time steps end exactly there. 0: only the first "
-                      "and the last state. Units: s.",
+                      "Simulated time between two files of the points; time "
+                      "steps end exactly there. 0: only the first and the last "
+                      "state. Units: s.",
                       Double(0.));
     prm.add_parameter("Observables interval",
                       observables_interval,
@@ -38,13 +39,37 @@ namespace mpm_granular::Output
                       "volume_ratio, mass, id, material and the names of the "
                       "laws' history. Pressure and stress in Pa, pressure "
                       "positive and stress negative in compression.");
+    prm.add_parameter("Every nth point",
+                      every_nth_point,
+                      "Only the points whose id is a multiple of this are "
+                      "written, the same ones at all times. The layout "
+                      "'symmetric' numbers the points cell by cell: a number "
+                      "that has no factor in common with the points per cell "
+                      "takes all places in a cell in turn.",
+                      dealii::Patterns::Integer(1));
     prm.add_parameter("Write grid",
                       write_grid,
                       "Whether the mesh with mass and velocity of its nodes is "
                       "written beside the points.");
+    prm.add_parameter(
+      "Format",
+      format,
+      "Files of points and grid. 'VTU': one file per instant, which the first "
+      "process writes for all; the record for ParaView is points.pvd. 'PVTU': "
+      "several VTU files of points per instant, written at the same time, with "
+      "a PVTU file that names them; points.pvd. 'HDF5': one HDF5 file per "
+      "instant, which all processes write together; points.xdmf. It cannot be "
+      "changed when a run is continued.",
+      dealii::Patterns::Selection("VTU|PVTU|HDF5"));
+    Parameters::only_with(prm, "Format", "PVTU", format, [&] {
+      prm.add_parameter("Ranks per file",
+                        ranks_per_file,
+                        "How many processes share a VTU file.",
+                        dealii::Patterns::Integer(1));
+    });
     prm.add_parameter("Compression",
                       compression,
-                      "How much time to spend on small VTU files.",
+                      "How much time to spend on small files.",
                       dealii::Patterns::Selection("none|fast|default|best"));
   }
 
@@ -57,6 +82,17 @@ namespace mpm_granular::Output
     require(!point_fields.empty(),
             "Output/Point fields is empty; 'all' or a list of names is "
             "expected.");
+  }
+
+
+
+  unsigned int
+  OutputParameters::compression_level() const
+  {
+    return compression == "none" ? 0 :
+           compression == "fast" ? 1 :
+           compression == "best" ? 9 :
+                                   6;
   }
 
 

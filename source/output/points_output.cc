@@ -1,5 +1,6 @@
 #include <mpm_granular/core/exceptions.h>
 #include <mpm_granular/output/points_output.h>
+#include <mpm_granular/parameters/name_distance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -122,9 +123,11 @@ namespace mpm_granular::Output
     for (auto &field : history_fields(points, laws))
       fields.push_back(std::move(field));
     add_scalar("id", "", [&points](auto i) { return points.id[i]; });
+    fields.back().is_natural = true;
     add_scalar("material", "", [&points](auto i) {
       return points.material[i];
     });
+    fields.back().is_natural = true;
     return fields;
   }
 
@@ -136,8 +139,7 @@ namespace mpm_granular::Output
                                   const MPI_Comm          communicator)
     : parameters(parameters)
     , laws(laws)
-    , communicator(communicator)
-    , series(parameters.directory, "points", communicator)
+    , series(parameters, "points", communicator)
   {
     (void)field_names();
   }
@@ -158,11 +160,13 @@ namespace mpm_granular::Output
             chosen[f] = found = true;
         if (!found)
           {
-            std::string names = "all, stress";
+            std::vector<std::string> names{"all", "stress"};
             for (const auto &field : all)
-              names += ", " + field.name;
-            throw InputError("Output/Point fields: there is no field '" +
-                             wanted + "'; valid names are " + names + ".");
+              names.push_back(field.name);
+            throw InputError(
+              "Output/Point fields: there is no field '" + wanted + "'." +
+              Parameters::did_you_mean(wanted, names) + " Valid names are " +
+              Parameters::quoted_list(names) + ".");
           }
       }
     std::vector<Field> fields;
@@ -180,20 +184,33 @@ namespace mpm_granular::Output
                            const unsigned int              step,
                            const Points::PointArrays<dim> &points)
   {
-    VtuContents<0, dim> contents;
-    contents.n_items  = points.size();
+    // By their ids, so that they are the same at all times and on any number of
+    // ranks.
+    const unsigned int         stride = parameters.every_nth_point;
+    std::vector<std::uint32_t> chosen;
+    if (stride > 1)
+      for (std::uint32_t i = 0; i < points.size(); ++i)
+        if (points.id[i] % stride == 0)
+          chosen.push_back(i);
+    const auto index = [&](const std::size_t i) {
+      return stride > 1 ? chosen[i] : i;
+    };
+
+    Contents<0, dim> contents;
+    contents.n_items = contents.n_nodes =
+      stride > 1 ? chosen.size() : points.size();
+    contents.shape    = ReferenceCells::Vertex;
     contents.nodes    = [](const std::size_t i) { return ItemNodes<0>{i}; };
-    contents.position = [&points](const std::size_t i) {
-      return points.location(i);
+    contents.position = [&](const std::size_t i) {
+      return points.location(index(i));
     };
     contents.fields = select(point_fields(points, laws));
-
-    DataOutBase::VtkFlags flags = parameters.vtk_flags();
-    flags.time                  = time;
-    flags.cycle                 = step;
-    series.add(time, [&](std::ostream &out) {
-      write_vtu(out, flags, contents, communicator);
-    });
+    for (auto &field : contents.fields)
+      field.value = [&index, value = field.value](const std::size_t  i,
+                                                  const unsigned int c) {
+        return value(index(i), c);
+      };
+    series.add(time, step, contents);
   }
 
 
@@ -215,13 +232,15 @@ namespace mpm_granular::Output
   double
   PointsOutput<dim>::estimated_file_size(const std::size_t n_points) const
   {
-    // Four bytes a number and a third more for writing them as text; of that,
-    // compression leaves about two thirds (measured on collapsing walls).
+    // Four bytes a number, in VTU files a third more for writing them as text;
+    // of that, compression leaves about two thirds (measured on collapsing
+    // walls).
     const Points::PointArrays<dim> none;
     unsigned int                   n_numbers = 3 + 1;
     for (const auto &field : select(point_fields(none, laws)))
       n_numbers += field.n_components == 1 ? 1 : 3;
-    return n_points * n_numbers * 4. * (4. / 3.) *
+    return n_points / parameters.every_nth_point * n_numbers * 4. *
+           (parameters.format == "HDF5" ? 1. : 4. / 3.) *
            (parameters.compression == "none" ? 1. : 0.65);
   }
 

@@ -9,7 +9,8 @@
 
 namespace mpm_granular::Output
 {
-  namespace fs = std::filesystem;
+  namespace MPI = dealii::Utilities::MPI;
+  namespace fs  = std::filesystem;
 
   namespace
   {
@@ -19,8 +20,9 @@ namespace mpm_granular::Output
     {
       static const std::regex pattern(
         "(parameters\\.prm|manifest\\.json|observables\\.csv|profile\\.csv|"
-        "points\\.pvd|grid\\.pvd|log\\.txt|points/points-[0-9]+\\.vtu|"
-        "grid/grid-[0-9]+\\.vtu|checkpoint/step-[0-9]+\\.h5)(\\.tmp)?");
+        "log\\.txt|(points|grid)\\.(pvd|xdmf)|"
+        "points/points-[0-9]+(-[0-9]+)?\\.(vtu|pvtu|h5)|"
+        "grid/grid-[0-9]+\\.(vtu|h5)|checkpoint/step-[0-9]+\\.h5)(\\.tmp)?");
       return pattern;
     }
   } // namespace
@@ -55,30 +57,47 @@ namespace mpm_granular::Output
 
 
   void
+  on_all_ranks(const MPI_Comm communicator, const std::function<void()> &action)
+  {
+    // Empty if all is well; else I or C, for the kind, and the message.
+    std::string error;
+    try
+      {
+        action();
+      }
+    catch (const InputError &exception)
+      {
+        error = std::string("I") + exception.what();
+      }
+    catch (const ComputationError &exception)
+      {
+        error = std::string("C") + exception.what();
+      }
+    catch (const std::system_error &exception)
+      {
+        error = std::string("C") + exception.what();
+      }
+    if (MPI::max(error.empty() ? 0 : 1, communicator) == 0)
+      return;
+    for (const auto &first : MPI::all_gather(communicator, error))
+      if (!first.empty())
+        {
+          if (first[0] == 'I')
+            throw InputError(first.substr(1));
+          throw ComputationError(first.substr(1));
+        }
+  }
+
+
+
+  void
   on_first_rank(const MPI_Comm               communicator,
                 const std::function<void()> &action)
   {
-    namespace MPI = dealii::Utilities::MPI;
-    // Empty if all is well; else I or C, for the kind, and the message.
-    std::string error;
-    if (MPI::this_mpi_process(communicator) == 0)
-      try
-        {
-          action();
-        }
-      catch (const InputError &exception)
-        {
-          error = std::string("I") + exception.what();
-        }
-      catch (const std::exception &exception)
-        {
-          error = std::string("C") + exception.what();
-        }
-    error = MPI::broadcast(communicator, error);
-    if (!error.empty() && error[0] == 'I')
-      throw InputError(error.substr(1));
-    if (!error.empty())
-      throw ComputationError(error.substr(1));
+    on_all_ranks(communicator, [&] {
+      if (MPI::this_mpi_process(communicator) == 0)
+        action();
+    });
   }
 
 

@@ -5,12 +5,8 @@
 #include <mpm_granular/output/vtu_file.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
-#include <regex>
-#include <set>
 #include <sstream>
-#include <system_error>
 #include <tuple>
 
 namespace mpm_granular::Output
@@ -19,9 +15,6 @@ namespace mpm_granular::Output
 
   namespace
   {
-    /// Items that are converted and written at a time.
-    constexpr std::size_t max_piece_size = 65536;
-
     using VectorRange =
       std::tuple<unsigned int,
                  unsigned int,
@@ -57,7 +50,7 @@ namespace mpm_granular::Output
     template <int item_dim, int dim>
     void
     fill(DataOutBase::Patch<item_dim, dim> &patch,
-         const VtuContents<item_dim, dim>  &contents,
+         const Contents<item_dim, dim>     &contents,
          const std::size_t                  item)
     {
       const auto nodes = contents.nodes(item);
@@ -81,9 +74,9 @@ namespace mpm_granular::Output
 
     template <int item_dim, int dim>
     std::vector<DataOutBase::Patch<item_dim, dim>>
-    make_patches(const std::size_t  n_patches,
-                 const unsigned int n_rows,
-                 const unsigned int n_nodes)
+    make_patches(const std::size_t   n_patches,
+                 const unsigned int  n_rows,
+                 const ReferenceCell shape)
     {
       std::vector<DataOutBase::Patch<item_dim, dim>> patches(n_patches);
       for (std::size_t i = 0; i < n_patches; ++i)
@@ -92,13 +85,10 @@ namespace mpm_granular::Output
           patch.patch_index = i;
           if constexpr (item_dim > 0)
             {
-              patch.reference_cell =
-                n_nodes == item_dim + 1 ?
-                  ReferenceCells::get_simplex<item_dim>() :
-                  ReferenceCells::get_hypercube<item_dim>();
+              patch.reference_cell       = shape;
               patch.n_subdivisions       = 1;
               patch.points_are_available = true;
-              patch.data.reinit(n_rows + dim, n_nodes);
+              patch.data.reinit(n_rows + dim, shape.n_vertices());
             }
           else
             patch.data.reinit(n_rows, 1);
@@ -115,18 +105,16 @@ namespace mpm_granular::Output
     /// without items, if there are none and @p at_least_one.
     template <int item_dim, int dim, class Use>
     void
-    for_each_piece(const VtuContents<item_dim, dim> &contents,
-                   DataOutBase::VtkFlags             flags,
-                   const bool                        at_least_one,
-                   Use                             &&use)
+    for_each_piece(const Contents<item_dim, dim> &contents,
+                   DataOutBase::VtkFlags          flags,
+                   const bool                     at_least_one,
+                   Use                          &&use)
     {
       const Rows rows(contents.fields);
       auto       patches =
         make_patches<item_dim, dim>(std::min(contents.n_items, max_piece_size),
                                     rows.names.size(),
-                                    contents.n_items == 0 ?
-                                      0 :
-                                      contents.nodes(0).size());
+                                    contents.shape);
       for (std::size_t n_written = 0;
            n_written < contents.n_items || (n_written == 0 && at_least_one);)
         {
@@ -179,181 +167,123 @@ namespace mpm_granular::Output
       AssertThrowMPI(error);
       return text;
     }
+
+
+
+    /// Writes the file to @p out of the first rank; the others only send.
+    template <int item_dim, int dim>
+    void
+    write_to(std::ostream                  &out,
+             const DataOutBase::VtkFlags   &flags,
+             const Contents<item_dim, dim> &contents,
+             const MPI_Comm                 communicator)
+    {
+      DataOutBase::VtkFlags piece_flags = flags;
+      for (const auto &field : contents.fields)
+        if (!field.unit.empty())
+          piece_flags.physical_units[field.name] = field.unit;
+
+      if (Utilities::MPI::this_mpi_process(communicator) > 0)
+        {
+          piece_flags.time  = std::numeric_limits<double>::min();
+          piece_flags.cycle = std::numeric_limits<unsigned int>::min();
+          for_each_piece(contents, piece_flags, false, [&](const auto &text) {
+            send_to_first(text, communicator);
+          });
+          send_to_first("", communicator);
+          return;
+        }
+
+      // By way of strings: deal.II throws where a stream has failed, and this
+      // rank must listen to the others all the same.
+      std::ostringstream frame;
+      DataOutBase::write_vtu_header(frame, piece_flags);
+      out << frame.str();
+      for_each_piece(contents, piece_flags, true, [&](const auto &text) {
+        out << text;
+      });
+      for (unsigned int rank = 1;
+           rank < Utilities::MPI::n_mpi_processes(communicator);
+           ++rank)
+        for (std::string text;
+             !(text = receive_from(rank, communicator)).empty();)
+          out << text;
+      frame.str("");
+      DataOutBase::write_vtu_footer(frame);
+      out << frame.str();
+    }
   } // namespace
 
 
 
   template <int item_dim, int dim>
   void
-  write_vtu(std::ostream                     &out,
-            const DataOutBase::VtkFlags      &flags,
-            const VtuContents<item_dim, dim> &contents,
-            const MPI_Comm                    communicator)
+  write_vtu(const std::string             &path,
+            const DataOutBase::VtkFlags   &flags,
+            const Contents<item_dim, dim> &contents,
+            const MPI_Comm                 communicator)
   {
-    DataOutBase::VtkFlags piece_flags = flags;
-    for (const auto &field : contents.fields)
-      if (!field.unit.empty())
-        piece_flags.physical_units[field.name] = field.unit;
-
+    const auto write = [&](std::ostream &out) {
+      write_to(out, flags, contents, communicator);
+    };
+    std::ostream nowhere(nullptr);
     if (Utilities::MPI::this_mpi_process(communicator) > 0)
       {
-        piece_flags.time  = std::numeric_limits<double>::min();
-        piece_flags.cycle = std::numeric_limits<unsigned int>::min();
-        for_each_piece(contents, piece_flags, false, [&](const auto &text) {
-          send_to_first(text, communicator);
-        });
-        send_to_first("", communicator);
+        write(nowhere);
         return;
       }
-
-    // By way of strings: deal.II throws where a stream has failed, and this
-    // rank must listen to the others all the same.
-    std::ostringstream frame;
-    DataOutBase::write_vtu_header(frame, piece_flags);
-    out << frame.str();
-    for_each_piece(contents, piece_flags, true, [&](const auto &text) {
-      out << text;
-    });
-    for (unsigned int rank = 1;
-         rank < Utilities::MPI::n_mpi_processes(communicator);
-         ++rank)
-      for (std::string text;
-           !(text = receive_from(rank, communicator)).empty();)
-        out << text;
-    frame.str("");
-    DataOutBase::write_vtu_footer(frame);
-    out << frame.str();
-  }
-
-
-
-  VtuSeries::VtuSeries(const std::string &folder,
-                       const std::string &name,
-                       const MPI_Comm     communicator)
-    : folder(folder)
-    , name(name)
-    , communicator(communicator)
-  {}
-
-
-
-  void
-  VtuSeries::add(const double                               time,
-                 const std::function<void(std::ostream &)> &write)
-  {
-    namespace fs           = std::filesystem;
-    const std::string file = file_name(n_files());
-    times_and_names.emplace_back(time, file);
-
-    // What the others send has to be received even if there is no file.
-    std::ostringstream unused;
-    if (Utilities::MPI::this_mpi_process(communicator) > 0)
-      write(unused);
-    on_first_rank(communicator, [&] {
-      std::error_code ignored; // the file cannot be written then, either
-      fs::create_directories(fs::path(folder) / name, ignored);
-      bool is_written = false;
-      try
-        {
-          write_atomically((fs::path(folder) / file).string(),
-                           [&](std::ostream &out) {
-                             is_written = true;
-                             write(out);
-                           });
-        }
-      catch (...)
-        {
-          if (!is_written)
-            write(unused);
-          throw;
-        }
-      write_record();
-    });
-  }
-
-
-
-  void
-  VtuSeries::serialize(Core::Archive &archive)
-  {
-    std::vector<double> times;
-    for (const auto &record : times_and_names)
-      times.push_back(record.first);
-    archive.replicated("output/times_of_" + name, times);
-    if (!archive.is_reading())
-      return;
-    times_and_names.clear();
-    for (const double time : times)
-      times_and_names.emplace_back(time, file_name(n_files()));
-  }
-
-
-
-  void
-  VtuSeries::resume()
-  {
-    namespace fs = std::filesystem;
-    std::set<std::string> kept;
-    for (const auto &record : times_and_names)
-      kept.insert(fs::path(record.second).filename().string());
-    const std::regex      of_series(name + "-[0-9]+\\.vtu(\\.tmp)?");
-    std::vector<fs::path> too_new;
-    std::error_code       ignored; // there is no folder without files
-    for (const auto &entry :
-         fs::directory_iterator(fs::path(folder) / name, ignored))
+    bool is_written = false;
+    try
       {
-        const std::string file = entry.path().filename().string();
-        if (std::regex_match(file, of_series) && kept.count(file) == 0)
-          too_new.push_back(entry.path());
+        write_atomically(path, [&](std::ostream &out) {
+          is_written = true;
+          write(out);
+        });
       }
-    for (const auto &path : too_new)
-      fs::remove(path, ignored);
-    if (n_files() > 0)
-      write_record();
-    else
-      fs::remove(fs::path(folder) / (name + ".pvd"), ignored);
-  }
-
-
-
-  std::string
-  VtuSeries::file_name(const unsigned int index) const
-  {
-    return name + "/" + name + "-" + Utilities::int_to_string(index, 5) +
-           ".vtu";
+    catch (...)
+      {
+        // What the others send has to be received even if there is no file.
+        if (!is_written)
+          write(nowhere);
+        throw;
+      }
   }
 
 
 
   void
-  VtuSeries::write_record() const
+  write_pvtu(std::ostream                   &out,
+             const DataOutBase::VtkFlags    &flags,
+             const std::vector<std::string> &files,
+             const std::vector<Field>       &fields)
   {
-    write_atomically((std::filesystem::path(folder) / (name + ".pvd")).string(),
-                     [&](std::ostream &out) {
-                       DataOutBase::write_pvd_record(out, times_and_names);
-                     });
+    const Rows         rows(fields);
+    std::ostringstream text;
+    DataOutBase::write_pvtu_record(
+      text, files, rows.names, rows.vectors, flags);
+    out << text.str();
   }
 
 
 
   template void
-  write_vtu(std::ostream &,
+  write_vtu(const std::string &,
             const DataOutBase::VtkFlags &,
-            const VtuContents<0, 2> &,
+            const Contents<0, 2> &,
             const MPI_Comm);
   template void
-  write_vtu(std::ostream &,
+  write_vtu(const std::string &,
             const DataOutBase::VtkFlags &,
-            const VtuContents<0, 3> &,
+            const Contents<0, 3> &,
             const MPI_Comm);
   template void
-  write_vtu(std::ostream &,
+  write_vtu(const std::string &,
             const DataOutBase::VtkFlags &,
-            const VtuContents<2, 2> &,
+            const Contents<2, 2> &,
             const MPI_Comm);
   template void
-  write_vtu(std::ostream &,
+  write_vtu(const std::string &,
             const DataOutBase::VtkFlags &,
-            const VtuContents<3, 3> &,
+            const Contents<3, 3> &,
             const MPI_Comm);
 } // namespace mpm_granular::Output

@@ -19,17 +19,21 @@ namespace mpm_granular::Solver
       kinetic_energy,
       n_points,
       is_out_of_reach,
+      wants_stop,
+      wants_checkpoint,
       has_error,
       n_values
     };
     std::array<double, n_values> values;
-    values[critical_step]   = report.critical_step;
-    values[least_altitude]  = report.least_altitude;
-    values[speed_squared]   = report.motion.speed_squared;
-    values[kinetic_energy]  = report.motion.kinetic_energy;
-    values[n_points]        = report.n_points;
-    values[is_out_of_reach] = report.is_out_of_reach;
-    values[has_error]       = !report.error.empty();
+    values[critical_step]    = report.critical_step;
+    values[least_altitude]   = report.least_altitude;
+    values[speed_squared]    = report.motion.speed_squared;
+    values[kinetic_energy]   = report.motion.kinetic_energy;
+    values[n_points]         = report.n_points;
+    values[is_out_of_reach]  = report.is_out_of_reach;
+    values[wants_stop]       = report.requests.stop;
+    values[wants_checkpoint] = report.requests.checkpoint;
+    values[has_error]        = !report.error.empty();
 
     std::array<Utilities::MPI::MinMaxAvg, n_values> all;
     Utilities::MPI::min_max_avg(
@@ -50,6 +54,8 @@ namespace mpm_granular::Solver
     agreement.n_points        = all[n_points].sum;
     agreement.imbalance       = all[n_points].max / all[n_points].avg - 1.;
     agreement.is_out_of_reach = all[is_out_of_reach].max > 0.;
+    agreement.requests        = {all[wants_stop].max > 0.,
+                                 all[wants_checkpoint].max > 0.};
     if (agreement.n_points == 0)
       throw ComputationError("All points have left the mesh.");
     return agreement;

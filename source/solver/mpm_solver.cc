@@ -13,7 +13,8 @@ namespace mpm_granular::Solver
 
   template <int dim>
   void
-  MPMSolver<dim>::advance_one_step(const double next_event)
+  MPMSolver<dim>::advance_one_step(const double    next_event,
+                                   const Requests &requests)
   {
     const double dt =
       step_control.next_step(step_limits(), current_time, next_event); // (T25)
@@ -28,7 +29,7 @@ namespace mpm_granular::Solver
                                           current_time),
                                         boundary.constraints()};
     move_and_strain(step); // (T11) to (T24)
-    agree_on_state();
+    agree_on_state(requests);
 
     ++n_steps;
     since_filter += dt;
@@ -179,7 +180,7 @@ namespace mpm_granular::Solver
 
   template <int dim>
   void
-  MPMSolver<dim>::agree_on_state()
+  MPMSolver<dim>::agree_on_state(const Requests &requests)
   {
     RankReport report;
     report.critical_step  = std::numeric_limits<double>::max();
@@ -194,6 +195,7 @@ namespace mpm_granular::Solver
     report.motion          = motion;
     report.n_points        = points.arrays().size();
     report.is_out_of_reach = is_out_of_reach;
+    report.requests        = requests;
     report.error           = error;
     agreement              = agree(report, partition.communicator);
   }

@@ -46,7 +46,7 @@ namespace mpm_granular::Solver
     , checkpoints(folder.path(),
                   parameters.checkpoint.n_kept,
                   info.communicator)
-    , checkpoint_trigger(parameters.checkpoint, info.communicator)
+    , checkpoint_trigger(parameters.checkpoint, is_first_rank)
     , in_steps(timings.section("time steps"))
     , in_observables(timings.section("observables"))
     , in_fields(timings.section("output of fields"))
@@ -228,19 +228,23 @@ namespace mpm_granular::Solver
                               parameters.output.progress_interval);
     while (solver.time() < parameters.end_time)
       {
-        // The signal may reach the ranks at different steps.
-        if (Utilities::MPI::max(Core::stop_signal(), info.communicator) != 0)
+        // Signals may reach the ranks at different steps.
+        if (solver.requests().stop)
           return Outcome::interrupted;
         {
           Output::Timings::Scope timer(timings, in_steps);
-          solver.advance_one_step(next_event());
+          solver.advance_one_step(next_event(),
+                                  {Core::stop_requested(),
+                                   checkpoint_trigger.is_asked_for()});
         }
         n_point_steps += solver.n_points();
         if (observable_times.passes(solver.time()))
           write_observables();
         if (field_times.passes(solver.time()))
           write_fields();
-        if (checkpoint_trigger.is_due(solver.step(), solver.time()))
+        if (checkpoint_trigger.is_due(solver.step(),
+                                      solver.time(),
+                                      solver.requests().checkpoint))
           write_checkpoint();
         if (is_first_rank && progress.is_due())
           progress.report({solver.time(),

@@ -112,7 +112,7 @@ main(int argc, char **argv)
   print_refusal("No file", "nothing.h5");
   print_refusal("Missing value", path);
   {
-    using Checkpoint::Hdf5File;
+    using Core::Hdf5File;
     Hdf5File later("later.h5", Hdf5File::Mode::create, MPI_COMM_SELF);
     later.write_attribute("/",
                           "format_version",

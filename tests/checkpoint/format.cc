@@ -91,12 +91,8 @@ main(int argc, char **argv)
         read.numbers.size() == 4 && read.text == whole.text);
   }
 
-  const Checkpoint::Hdf5File all("all.h5",
-                                 Checkpoint::Hdf5File::Mode::read,
-                                 world);
-  const Checkpoint::Hdf5File one("one.h5",
-                                 Checkpoint::Hdf5File::Mode::read,
-                                 world);
+  const Core::Hdf5File all("all.h5", Core::Hdf5File::Mode::read, world);
+  const Core::Hdf5File one("one.h5", Core::Hdf5File::Mode::read, world);
   good = true;
   for (const std::string name : {"points/position",
                                  "points/cell",

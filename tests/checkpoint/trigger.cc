@@ -14,6 +14,17 @@
 
 using namespace Test;
 
+/// What one process alone decides.
+bool
+is_due(Checkpoint::CheckpointTrigger &trigger,
+       const unsigned int             step,
+       const double                   time)
+{
+  return trigger.is_due(step, time, trigger.is_asked_for());
+}
+
+
+
 /// Prints the steps of @p time_step at which a checkpoint is due.
 void
 print_steps(const std::string                      &name,
@@ -21,11 +32,11 @@ print_steps(const std::string                      &name,
             const double                            time_step,
             const unsigned int                      first_step = 0)
 {
-  Checkpoint::CheckpointTrigger trigger(parameters, MPI_COMM_WORLD);
+  Checkpoint::CheckpointTrigger trigger(parameters, true);
   trigger.start(first_step * time_step);
   std::cout << name << ":";
   for (unsigned int step = first_step + 1; step <= first_step + 20; ++step)
-    if (trigger.is_due(step, step * time_step))
+    if (is_due(trigger, step, step * time_step))
       std::cout << " " << step;
   std::cout << std::endl;
 }
@@ -53,15 +64,17 @@ main(int argc, char **argv)
 
   parameters.time_interval = 0.;
   parameters.wall_interval = 1e-3;
-  Checkpoint::CheckpointTrigger by_clock(parameters, MPI_COMM_WORLD);
+  Checkpoint::CheckpointTrigger       by_clock(parameters, true);
+  const Checkpoint::CheckpointTrigger of_another_process(parameters, false);
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  std::cout << "After some wall time: " << by_clock.is_due(1, 0.) << std::endl;
+  std::cout << "After some wall time: " << is_due(by_clock, 1, 0.)
+            << of_another_process.is_asked_for() << std::endl;
 
   parameters.wall_interval = 0.;
-  Checkpoint::CheckpointTrigger by_signal(parameters, MPI_COMM_WORLD);
+  Checkpoint::CheckpointTrigger by_signal(parameters, true);
   Core::catch_signals();
-  std::cout << "Signal: " << by_signal.is_due(1, 0.);
+  std::cout << "Signal: " << is_due(by_signal, 1, 0.);
   std::raise(SIGUSR1);
-  std::cout << by_signal.is_due(2, 0.);
-  std::cout << by_signal.is_due(3, 0.) << std::endl;
+  std::cout << is_due(by_signal, 2, 0.);
+  std::cout << is_due(by_signal, 3, 0.) << std::endl;
 }

@@ -1,8 +1,8 @@
 #ifndef mpm_granular_checkpoint_checkpoint_file_h
 #define mpm_granular_checkpoint_checkpoint_file_h
 
-#include <mpm_granular/checkpoint/hdf5_file.h>
 #include <mpm_granular/core/archive.h>
+#include <mpm_granular/core/hdf5_file.h>
 
 #include <cstdint>
 #include <functional>
@@ -77,14 +77,14 @@ namespace mpm_granular::Checkpoint
 
     /// The rows of a group's arrays that this process reads.
     void
-    choose_rows(const std::string &group, Extent &extent);
+    choose_rows(const std::string &group, Core::Extent &extent);
 
     [[noreturn]] void
     refuse(const std::string &reason) const;
 
     const std::string                                 file_name;
     const MPI_Comm                                    comm;
-    std::unique_ptr<Hdf5File>                         file;
+    std::unique_ptr<Core::Hdf5File>                   file;
     std::uint64_t                                     n_ranks_then = 0;
     std::map<std::string, std::vector<std::uint64_t>> offsets; ///< by group
   };

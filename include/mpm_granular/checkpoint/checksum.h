@@ -3,7 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <mpm_granular/checkpoint/hdf5_file.h>
+#include <mpm_granular/core/hdf5_file.h>
 
 #include <cstdint>
 
@@ -18,7 +18,7 @@ namespace mpm_granular::Checkpoint
    */
   std::uint64_t
   checksum(const Core::NumberType type,
-           const Extent          &extent,
+           const Core::Extent    &extent,
            const void            *data,
            const MPI_Comm         comm);
 } // namespace mpm_granular::Checkpoint

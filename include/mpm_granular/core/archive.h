@@ -1,8 +1,9 @@
 #ifndef mpm_granular_core_archive_h
 #define mpm_granular_core_archive_h
 
+#include <mpm_granular/core/number_type.h>
+
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -10,44 +11,6 @@
 
 namespace mpm_granular::Core
 {
-  /// The types of numbers that an archive keeps, bit for bit.
-  enum class NumberType
-  {
-    character,
-    natural8,
-    natural32,
-    natural64,
-    real64
-  };
-
-  /// Bytes of a number.
-  constexpr std::size_t
-  size_of(const NumberType type)
-  {
-    return type == NumberType::natural32                               ? 4 :
-           type == NumberType::natural64 || type == NumberType::real64 ? 8 :
-                                                                         1;
-  }
-
-  /// The NumberType of the C++ type Number.
-  template <class Number>
-  constexpr NumberType
-  number_type()
-  {
-    static_assert(std::is_same_v<Number, double> ||
-                    (std::is_unsigned_v<Number> && sizeof(Number) != 2) ||
-                    std::is_same_v<Number, char>,
-                  "an archive does not keep numbers of this type");
-    if constexpr (std::is_same_v<Number, double>)
-      return NumberType::real64;
-    else if constexpr (std::is_same_v<Number, char>)
-      return NumberType::character;
-    else
-      return sizeof(Number) == 1 ? NumberType::natural8 :
-             sizeof(Number) == 4 ? NumberType::natural32 :
-                                   NumberType::natural64;
-  }
-
   /**
    * Where the state of objects goes to, and comes back from, when a run is
    * interrupted and continued. An object that has to carry something over has a

@@ -2,20 +2,21 @@
 #define mpm_granular_output_grid_output_h
 
 #include <mpm_granular/mesh/partition.h>
+#include <mpm_granular/output/file_series.h>
 #include <mpm_granular/output/output_parameters.h>
-#include <mpm_granular/output/vtu_file.h>
 
 #include <vector>
 
 namespace mpm_granular::Output
 {
-  /// Writes the background mesh with nodal fields as VTU files, grid.pvd.
+  /// Writes the background mesh with nodal fields as a series of files,
+  /// grid.pvd or grid.xdmf.
   template <int dim>
   class GridOutput
   {
   public:
-    /// @param parameters where to, how compressed.
-    /// @param communicator of the ranks that call write(); the first one writes.
+    /// @param parameters where to, in which format.
+    /// @param communicator of the ranks that call write().
     GridOutput(const OutputParameters &parameters, const MPI_Comm communicator);
 
     /**
@@ -42,7 +43,7 @@ namespace mpm_granular::Output
       series.serialize(archive);
     }
 
-    /// Goes on in the folder of an interrupted run, see VtuSeries::resume().
+    /// Goes on in the folder of an interrupted run, see FileSeries::resume().
     void
     resume()
     {
@@ -50,8 +51,7 @@ namespace mpm_granular::Output
     }
 
   private:
-    OutputParameters parameters;
-    VtuSeries        series;
+    FileSeries series;
   };
 } // namespace mpm_granular::Output
 

@@ -18,7 +18,10 @@ namespace mpm_granular::Output
     double                   observables_interval = 0.01; ///< [s]
     double                   progress_interval    = 10.;  ///< wall time [s]
     std::vector<std::string> point_fields         = {"all"};
+    unsigned int             every_nth_point      = 1;
     bool                     write_grid           = false;
+    std::string              format               = "VTU";
+    unsigned int             ranks_per_file       = 1; ///< PVTU
     std::string              compression          = "fast";
 
     void
@@ -26,6 +29,10 @@ namespace mpm_granular::Output
 
     void
     check() const override;
+
+    /// The level of compression, from 0, not at all, to 9.
+    unsigned int
+    compression_level() const;
 
     /// The flags of deal.II for VTU files.
     dealii::DataOutBase::VtkFlags

@@ -2,8 +2,8 @@
 #define mpm_granular_output_points_output_h
 
 #include <mpm_granular/materials/constitutive_law.h>
+#include <mpm_granular/output/file_series.h>
 #include <mpm_granular/output/output_parameters.h>
-#include <mpm_granular/output/vtu_file.h>
 #include <mpm_granular/points/point_arrays.h>
 
 #include <cstddef>
@@ -24,7 +24,7 @@ namespace mpm_granular::Output
   std::vector<Field>
   point_fields(const Points::PointArrays<dim> &points, const Laws<dim> &laws);
 
-  /// Writes the points as a series of VTU files, points.pvd.
+  /// Writes the points as a series of files, points.pvd or points.xdmf.
   template <int dim>
   class PointsOutput
   {
@@ -72,7 +72,7 @@ namespace mpm_granular::Output
       series.serialize(archive);
     }
 
-    /// Goes on in the folder of an interrupted run, see VtuSeries::resume().
+    /// Goes on in the folder of an interrupted run, see FileSeries::resume().
     void
     resume()
     {
@@ -86,8 +86,7 @@ namespace mpm_granular::Output
 
     OutputParameters parameters;
     Laws<dim>        laws;
-    MPI_Comm         communicator;
-    VtuSeries        series;
+    FileSeries       series;
   };
 } // namespace mpm_granular::Output
 

@@ -50,7 +50,7 @@ namespace mpm_granular::Output
     double       stable_dt       = unknown; ///< stability limit [s]
     double       chosen_dt       = unknown; ///< [s]
     double       gravity         = unknown; ///< [m/s^2]
-    double       n_files         = unknown; ///< VTU files of points
+    double       n_files         = unknown; ///< files of points
     double       bytes_per_file  = unknown;
     double       bytes_in_memory = unknown; ///< on all ranks
     unsigned int n_ranks         = 1;

@@ -24,10 +24,17 @@ namespace mpm_granular::Output
                    const std::function<void(std::ostream &)> &write);
 
   /**
-   * Calls @p action on the first rank, while the others wait. Collective.
+   * Calls @p action on all ranks, each for itself. Collective.
    *
-   * @throws InputError, ComputationError on all ranks if it throws one.
+   * @throws InputError, ComputationError on all ranks, the same one, if it
+   *   throws one or an error of the file system on any.
    */
+  void
+  on_all_ranks(const MPI_Comm               communicator,
+               const std::function<void()> &action);
+
+  /// Calls @p action on the first rank, while the others wait, see
+  /// on_all_ranks().
   void
   on_first_rank(const MPI_Comm               communicator,
                 const std::function<void()> &action);

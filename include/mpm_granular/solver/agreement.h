@@ -11,6 +11,13 @@
 
 namespace mpm_granular::Solver
 {
+  /// What a rank asks for; it happens after the step if any rank asks.
+  struct Requests
+  {
+    bool stop       = false;
+    bool checkpoint = false;
+  };
+
   /// What a rank has to tell the others after a step.
   struct RankReport
   {
@@ -19,7 +26,8 @@ namespace mpm_granular::Solver
     Points::Motion motion;         ///< of its points
     std::uint64_t  n_points;
     bool           is_out_of_reach; ///< a point has to go to another rank
-    std::string    error;           ///< why it cannot go on; empty if it can
+    Requests       requests;
+    std::string    error; ///< why it cannot go on; empty if it can
   };
 
   /// What all ranks know then.
@@ -30,6 +38,7 @@ namespace mpm_granular::Solver
     std::uint64_t    n_points       = 0;  ///< on all ranks
     double           imbalance      = 0.; ///< most points over the mean, less 1
     bool             is_out_of_reach = false;
+    Requests         requests; ///< of any rank
   };
 
   /**

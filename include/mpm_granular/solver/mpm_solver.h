@@ -37,10 +37,15 @@ namespace mpm_granular::Solver
               const std::string        &input_file,
               const MPI_Comm            communicator);
 
-    /// Advances by one time step, which does not pass @p next_event [s].
-    /// @throws ComputationError if the result makes no sense.
+    /**
+     * Advances by one time step.
+     *
+     * @param next_event a time that the step does not pass [s].
+     * @param requests of this rank; requests() then tells those of all.
+     * @throws ComputationError if the result makes no sense.
+     */
     void
-    advance_one_step(const double next_event);
+    advance_one_step(const double next_event, const Requests &requests = {});
 
     /**
      * All that the next step depends on, for checkpoints. Read on the number of
@@ -141,6 +146,12 @@ namespace mpm_granular::Solver
       return n_lost;
     }
 
+    const Requests &
+    requests() const ///< of any rank, in the last step
+    {
+      return agreement.requests;
+    }
+
     /// Limits of the time step for the present active cells of all ranks.
     const Time::StepLimits &
     step_limits() const
@@ -194,7 +205,7 @@ namespace mpm_granular::Solver
     void
     keep_order();
     void
-    agree_on_state();
+    agree_on_state(const Requests &requests = {});
     void
     balance();
     void

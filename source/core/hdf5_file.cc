@@ -1,10 +1,16 @@
-#include <mpm_granular/checkpoint/hdf5_file.h>
+#include <mpm_granular/core/exceptions.h>
+#include <mpm_granular/core/hdf5_file.h>
+#include <mpm_granular/core/synchronize.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
+#include <system_error>
 
-namespace mpm_granular::Checkpoint
+namespace mpm_granular::Core
 {
-  using Core::NumberType;
+  namespace MPI = dealii::Utilities::MPI;
+  namespace fs  = std::filesystem;
 
   namespace
   {
@@ -60,6 +66,8 @@ namespace mpm_granular::Checkpoint
             return H5Tcopy(in_file ? H5T_STD_U32LE : H5T_NATIVE_UINT32);
           case NumberType::natural64:
             return H5Tcopy(in_file ? H5T_STD_U64LE : H5T_NATIVE_UINT64);
+          case NumberType::real32:
+            return H5Tcopy(in_file ? H5T_IEEE_F32LE : H5T_NATIVE_FLOAT);
           case NumberType::real64:
             return H5Tcopy(in_file ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE);
           case NumberType::character:
@@ -84,6 +92,8 @@ namespace mpm_granular::Checkpoint
         result = NumberType::character;
       else if (kind == H5T_FLOAT && size == 8)
         result = NumberType::real64;
+      else if (kind == H5T_FLOAT && size == 4)
+        result = NumberType::real32;
       else if (kind == H5T_INTEGER && size == 8)
         result = NumberType::natural64;
       else if (kind == H5T_INTEGER && size == 4)
@@ -103,6 +113,18 @@ namespace mpm_granular::Checkpoint
     {
       const std::array<hsize_t, 2> size{{n_rows, width}};
       return H5Screate_simple(width == 1 ? 1 : 2, size.data(), nullptr);
+    }
+
+
+
+    /// Properties of the class @p kind for what is made, without the time of its
+    /// making: files with the same content are the same.
+    hid_t
+    creation_properties(const hid_t kind)
+    {
+      const hid_t properties = H5Pcreate(kind);
+      H5Pset_obj_track_times(properties, false);
+      return properties;
     }
 
 
@@ -131,8 +153,9 @@ namespace mpm_granular::Checkpoint
       access.is_good() && H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL) >= 0 &&
       H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST) >= 0;
     require_on_all(is_set_up, "open a file in parallel");
+    const Handle creation(creation_properties(H5P_FILE_CREATE), H5Pclose);
     file = mode == Mode::create ?
-             H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access) :
+             H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access) :
              H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
     require_on_all(file >= 0, "open the file");
   }
@@ -186,19 +209,74 @@ namespace mpm_granular::Checkpoint
                   const Extent      &extent,
                   const void        *data)
   {
+    write_in_pieces(name,
+                    type,
+                    extent,
+                    {std::max<std::uint64_t>(extent.n_rows, 1), 0},
+                    [data](const auto, const auto) { return data; });
+  }
+
+
+
+  void
+  Hdf5File::write_in_pieces(
+    const std::string                                             &name,
+    const NumberType                                               type,
+    const Extent                                                  &extent,
+    const Pieces                                                  &pieces,
+    const std::function<const void *(const std::uint64_t first,
+                                     const std::uint64_t n_rows)> &piece)
+  {
     const Handle file_type(copy_of_type(type, extent.width, true), H5Tclose);
     const Handle space(make_space(extent.n_rows, numbers_a_row(type, extent)),
                        H5Sclose);
-    const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-    H5Pset_create_intermediate_group(links, 1);
-    const Handle dataset(
-      H5Dcreate2(
-        file, name.c_str(), file_type, space, links, H5P_DEFAULT, H5P_DEFAULT),
-      H5Dclose);
+    const std::string group = name.substr(0, name.find('/'));
+    if (group != name && H5Lexists(file, group.c_str(), H5P_DEFAULT) == 0)
+      {
+        const Handle of_group(creation_properties(H5P_GROUP_CREATE), H5Pclose);
+        const Handle made(
+          H5Gcreate2(file, group.c_str(), H5P_DEFAULT, of_group, H5P_DEFAULT),
+          H5Gclose);
+      }
+    const Handle creation(creation_properties(H5P_DATASET_CREATE), H5Pclose);
+    if (pieces.compression_level > 0 && extent.n_rows > 0)
+      {
+        const std::array<hsize_t, 2> chunk{
+          {std::min(pieces.n_rows, extent.n_rows), extent.width}};
+        H5Pset_chunk(creation, extent.width == 1 ? 1 : 2, chunk.data());
+        H5Pset_shuffle(creation);
+        H5Pset_deflate(creation, pieces.compression_level);
+      }
+    const Handle dataset(H5Dcreate2(file,
+                                    name.c_str(),
+                                    file_type,
+                                    space,
+                                    H5P_DEFAULT,
+                                    creation,
+                                    H5P_DEFAULT),
+                         H5Dclose);
     require_on_all(dataset.is_good(), "make '" + name + "'");
-    require_on_all(
-      transfer(Mode::create, dataset, type, extent, const_cast<void *>(data)),
-      "write '" + name + "'");
+    const std::uint64_t n_rounds =
+      MPI::max((extent.n_local_rows + pieces.n_rows - 1) / pieces.n_rows, comm);
+    bool is_good = true;
+    for (std::uint64_t round = 0; round < n_rounds; ++round)
+      {
+        // All take part, also those that have nothing left.
+        const std::uint64_t first =
+          std::min(round * pieces.n_rows, extent.n_local_rows);
+        Extent of_piece    = extent;
+        of_piece.first_row = extent.first_row + first;
+        of_piece.n_local_rows =
+          std::min(pieces.n_rows, extent.n_local_rows - first);
+        is_good =
+          transfer(Mode::create,
+                   dataset,
+                   type,
+                   of_piece,
+                   const_cast<void *>(piece(first, of_piece.n_local_rows))) &&
+          is_good;
+      }
+    require_on_all(is_good, "write '" + name + "'");
   }
 
 
@@ -300,7 +378,47 @@ namespace mpm_granular::Checkpoint
   void
   Hdf5File::require_on_all(const bool is_good, const std::string &what) const
   {
-    if (dealii::Utilities::MPI::min(is_good ? 1 : 0, comm) == 0)
+    if (MPI::min(is_good ? 1 : 0, comm) == 0)
       throw Hdf5Error("HDF5 cannot " + what);
   }
-} // namespace mpm_granular::Checkpoint
+
+
+
+  void
+  write_hdf5_atomically(const std::string                     &path,
+                        const MPI_Comm                         comm,
+                        const std::function<void(Hdf5File &)> &write)
+  {
+    const std::string temporary = path + ".tmp";
+    const bool        is_first  = MPI::this_mpi_process(comm) == 0;
+    std::string       reason;
+    try
+      {
+        {
+          Hdf5File file(temporary, Hdf5File::Mode::create, comm);
+          write(file);
+          file.close();
+        }
+        if (is_first)
+          replace_file(temporary, path);
+      }
+    catch (const Hdf5Error &error)
+      {
+        reason = error.what();
+      }
+    catch (const fs::filesystem_error &error)
+      {
+        reason = error.what();
+      }
+    if (MPI::min(reason.empty() ? 1 : 0, comm) == 1)
+      return;
+
+    std::error_code ignored;
+    if (is_first)
+      fs::remove(temporary, ignored);
+    throw ComputationError(
+      "Cannot write '" + path +
+      "': " + (reason.empty() ? "another process failed" : reason) +
+      ". Is there space on the disk, and may the folder be written to?");
+  }
+} // namespace mpm_granular::Core
