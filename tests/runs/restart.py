@@ -43,8 +43,9 @@ def interrupt(name, dim, settings=()):
 
 
 def several_ranks(dim, kind):
-    """Stopped on two ranks: goes on bit for bit on two, on others up to the
-    growth of round-off."""
+    """Stopped on two ranks, a run goes on bit for bit on two; stopped on one, on
+    three and from there on two, up to the growth of round-off."""
+    name = f"{dim}D, {kind}"
     with Folder() as folder:
         case = Case(folder, column(dim, kind), ranks=2)
         case.run(*case.start())
@@ -52,17 +53,20 @@ def several_ranks(dim, kind):
     with Folder() as folder:
         case = Case(folder, column(dim, kind), ranks=2)
         code = interrupted(case)
-        checks.that(code == 3, f"{dim}D, {kind}, two ranks: interrupted",
-                    str(code))
-        shutil.copytree(case.path, folder.path / "stopped")
+        checks.that(code == 3, f"{name}, two ranks: interrupted", str(code))
         case.run("--resume", "out")
-        same(f"{dim}D, {kind}, two ranks: resumed", case.results(), reference)
-        for ranks in (1, 3):
-            shutil.rmtree(case.path)
-            shutil.copytree(folder.path / "stopped", case.path)
-            case.ranks = ranks
-            case.run("--resume", "out")
-            agree(f"{dim}D, {kind}, {ranks} ranks", case.results(), reference)
+        same(f"{name}, two ranks: resumed", case.results(), reference)
+    with Folder() as folder:
+        case = Case(folder, column(dim, kind))
+        code = interrupted(case)
+        checks.that(code == 3, f"{name}, one rank: interrupted", str(code))
+        case.ranks = 3
+        code = case.stop(signal.SIGTERM, "--resume", "out", rows=16)
+        print(f"{name}: on three ranks the run "
+              f"{'was stopped' if code == 3 else 'came to its end'}")
+        case.ranks = 2
+        case.run("--resume", "out")
+        agree(f"{name}, one, three, two ranks", case.results(), reference)
 
 
 def agree(name, results, reference):
