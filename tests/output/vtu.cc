@@ -178,6 +178,7 @@ main(int argc, char **argv)
 
   std::cout << "Chosen fields" << std::endl;
   try_fields({"id", "stress", "velocity"});
-  std::cout << "A field that does not exist" << std::endl;
-  try_fields({"velocity", "viscosity"});
+  std::cout << "Fields that do not exist" << std::endl;
+  try_fields({"velocity", "temperature"});
+  try_fields({"presure"});
 }

@@ -19,8 +19,8 @@ checks = Checks()
 IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
 SEED = random.randrange(1000000)
 random.seed(SEED)
-RESULTS = ["observables.csv", "profile.csv", "points.pvd", "points/*.vtu",
-           "grid.pvd", "grid/*.vtu"]
+RESULTS = ["observables.csv", "profile.csv", "points.*", "points/*", "grid.*",
+           "grid/*"]
 END = "0.1" if IS_DEBUG else "0.15"
 OFTEN = ["--set=Checkpoint/Step interval=10", "--set=Checkpoint/Number kept=3"]
 
@@ -130,6 +130,27 @@ class Case:
 
     def manifest(self):
         return json.loads((self.path / "manifest.json").read_text())
+
+
+def kill(case, n_times, look=lambda: None):
+    """Kills a run at random moments, so many times, and continues it each time;
+    a run that is done meanwhile begins anew. `look` looks at what is there after
+    each kill. The arguments to go on with, and the number of kills."""
+    new = case.start("--set=Checkpoint/Step interval=3")
+    arguments, n_killed = new, 0
+    while n_killed < n_times:
+        code = case.stop(signal.SIGKILL, *arguments)
+        if code == -signal.SIGKILL:
+            n_killed += 1
+            look()
+        elif code != 0:
+            break
+        if code != 0 and case.checkpoints():
+            arguments = ["--resume", "out"]
+        else:
+            arguments = new
+            shutil.rmtree(case.path, ignore_errors=True)
+    return arguments, n_killed
 
 
 def same(name, results, reference):

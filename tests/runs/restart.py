@@ -7,7 +7,7 @@ import shutil
 import signal
 
 from _case import KINDS, Folder
-from _restart import (OFTEN, Case, checks, column, interrupted, same,
+from _restart import (OFTEN, Case, checks, column, interrupted, kill, same,
                       uninterrupted)
 
 
@@ -84,23 +84,13 @@ def agree(name, results, reference):
                 f"{name}: nearly the same", str(different))
 
 
-def kill(dim, n_times):
+def killed(dim, n_times):
     """SIGKILL at any moment, again and again."""
     reference = uninterrupted(column(dim))
     with Folder() as folder:
         case = Case(folder, column(dim))
-        arguments, n_killed = case.start("--set=Checkpoint/Step interval=3"), 0
-        for _ in range(n_times):
-            if case.stop(signal.SIGKILL, *arguments) != -signal.SIGKILL:
-                break
-            n_killed += 1
-            if case.checkpoints():
-                arguments = ["--resume", "out"]
-            else:
-                shutil.rmtree(case.path)
-        checks.that(n_killed > 0, f"{dim}D: killed at least once")
-        print(f"{dim}D: killed {n_killed} times, resumed "
-              f"{len(case.manifest()['resumed']) if case.path.exists() else 0}")
+        arguments, n_killed = kill(case, n_times)
+        checks.that(n_killed == n_times, f"{dim}D: killed", str(n_killed))
         case.run(*arguments)
         same(f"{dim}D killed", case.results(), reference)
         left = [file for file in folder.files() if file.endswith(".tmp")]
@@ -138,8 +128,8 @@ if os.environ.get("MPM_MPIEXEC"):
     for kind in KINDS:
         several_ranks(2, kind)
         several_ranks(3, kind)
-kill(2, 5)
-kill(3, 3)
+killed(2, 5)
+killed(3, 3)
 finished()
 on_demand()
 checks.exit()

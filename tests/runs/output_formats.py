@@ -1,0 +1,165 @@
+"""Files of points and grid in every format, on 1, 2 and 3 processes, hold the same
+numbers: bit for bit those of the VTU files on as many processes, and up to
+round-off those of one process; every nth point is the same one everywhere; runs
+that were stopped and continued leave the same files; what cannot be written ends
+the run with one message and the exit code."""
+
+import os
+import shutil
+
+import numpy
+
+from _case import Folder
+from _fields import by_id, read_series
+from _restart import Case, checks, column, interrupted, same
+
+END = ".02"
+SHORT = ["Output/Interval=.01"]
+PVTU = "Output/Format=PVTU"
+FORMATS = {"VTU": ["Output/Format=VTU"],
+           "PVTU": [PVTU],
+           "PVTU of two ranks": [PVTU, "Output/Ranks per file=2"],
+           "HDF5": ["Output/Format=HDF5"],
+           "VTU without compression": ["Output/Compression=none"],
+           "HDF5 without compression": ["Output/Format=HDF5",
+                                        "Output/Compression=none"]}
+RANKS = (1, 2, 3) if os.environ.get("MPM_MPIEXEC") else (1,)
+
+
+def files_of(dim, settings, ranks):
+    """What a run leaves: points, grid, and the names of the files."""
+    with Folder() as folder:
+        case = Case(folder, column(dim, END), [*SHORT, *settings], ranks)
+        case.run(*case.start("--set=Checkpoint/At end=false"))
+        return (read_series(case.path), read_series(case.path, "grid"),
+                sorted(folder.files()))
+
+
+def compare_points(name, series, reference, tolerance=0.):
+    """Whether two runs wrote the same points at the same times."""
+    checks.that(len(series) == 3 and
+                [time for time, _ in series] == [time for time, _ in reference],
+                f"{name}: times", f"{[time for time, _ in series]}")
+    for (time, some), (_, others) in zip(series, reference):
+        some, others = by_id(some), by_id(others)
+        checks.that(some.keys() == others.keys() and len(some) >= 15,
+                    f"{name}: fields", f"{sorted(some)} {sorted(others)}")
+        for field in some.keys() & others.keys():
+            a, b = some[field].astype(float), others[field].astype(float)
+            agree = a.shape == b.shape and len(a) > 0 and numpy.all(
+                abs(a - b) <= tolerance * abs(b).max())
+            checks.that(agree, f"{name}, {time} s: {field}", f"{a} {b}")
+
+
+def compare_grids(name, series, reference):
+    """Whether an HDF5 grid, or one of VTU files, is that of VTU files, which
+    repeat the nodes in each of their cells."""
+    checks.that(len(series) == len(reference) == 3, f"{name}: grids")
+    for (time, some), (_, others) in zip(series, reference):
+        cells = some.get("cells", numpy.arange(len(some["position"]))).ravel()
+        checks.that(all(numpy.array_equal(some[field][cells], others[field])
+                        for field in others) and others["mass"].max() > 0.,
+                    f"{name}, {time} s: grid")
+
+
+for dim in (2, 3):
+    reference = {ranks: files_of(dim, FORMATS["VTU"], ranks) for ranks in RANKS}
+    for ranks in RANKS if dim == 2 else RANKS[-1:]:
+        # Round-off between numbers of processes, rounded to single precision.
+        compare_points(f"{dim}D, VTU on {ranks}", reference[ranks][0],
+                       reference[1][0], 0. if ranks == 1 else 1e-6)
+        for name, settings in FORMATS.items():
+            if name == "VTU" or "without" in name and ranks != RANKS[-1]:
+                continue
+            points, grid, files = files_of(dim, settings, ranks)
+            where = f"{dim}D, {name} on {ranks}"
+            compare_points(where, points, reference[ranks][0])
+            compare_grids(where, grid, reference[ranks][1])
+            n_pieces = sum("points-00001-" in file for file in files)
+            expected = (0 if PVTU not in settings else
+                        ranks if len(settings) == 1 else (ranks + 1) // 2)
+            checks.that(n_pieces == expected, f"{where}: pieces", str(files))
+
+every = "Output/Every nth point=7"
+for name, ranks in (("VTU", 1), ("PVTU", RANKS[-1]), ("HDF5", RANKS[-1])):
+    points, _, _ = files_of(3, [*FORMATS[name], every], ranks)
+    every_seventh = [(time, {field: values[fields["id"] % 7 == 0]
+                             for field, values in fields.items()})
+                     for time, fields in reference[ranks][0]]
+    n_points = len(points[0][1]["id"])
+    checks.that(n_points == -(-len(reference[ranks][0][0][1]["id"]) // 7),
+                "every 7th point: number", str(n_points))
+    compare_points(f"every 7th point, {name}", points, every_seventh)
+
+# Stopped and continued, with other ranks for the files to come: the record is
+# complete and names no file that is gone.
+for name in ("PVTU of two ranks", "HDF5"):
+    settings = ["Output/Interval=.01", *FORMATS[name]]
+    with Folder() as folder:
+        whole = Case(folder, column(2), settings, RANKS[-1])
+        whole.run(*whole.start())
+        reference = whole.results()
+        complete = read_series(whole.path)
+        shutil.rmtree(whole.path)
+        case = Case(folder, column(2), settings, RANKS[-1])
+        checks.that(interrupted(case) == 3, f"{name}: interrupted")
+        shutil.copytree(case.path, folder.path / "stopped")
+        case.run("--resume", "out")
+        same(f"{name}, resumed", case.results(), reference)
+
+        shutil.rmtree(case.path)
+        shutil.copytree(folder.path / "stopped", case.path)
+        n_before = len(read_series(case.path))
+        case.ranks = 1
+        case.run("--resume", "out", "--set=Output/Point fields=id,velocity")
+        series = read_series(case.path)
+        checks.that([time for time, _ in series] ==
+                    [time for time, _ in complete] and
+                    "mass" in series[0][1] and "mass" not in series[-1][1] and
+                    all(numpy.array_equal(numpy.sort(some["id"]),
+                                          numpy.sort(other["id"]))
+                        for (_, some), (_, other) in zip(series, complete)),
+                    f"{name}, resumed on one process with other fields",
+                    f"{n_before} {len(series)}")
+
+        message = case.run("--resume", "out", "--set=Output/Format=VTU",
+                           expected=1).stderr
+        checks.that("Output/Format" in message and message.count("error:") == 1,
+                    f"{name}: the format cannot be changed", message)
+
+
+def fails(name, settings, obstacle="", ranks=1, before=()):
+    """A run that cannot write a file of points ends with exit code 2 and one
+    message; what the record names is complete."""
+    with Folder() as folder:
+        case = Case(folder, column(2, END), [
+            *SHORT, *settings, "Points/body/Points per cell=16"], ranks)
+        if obstacle:
+            (case.path / "points" / obstacle / "in the way").mkdir(parents=True)
+        result = folder.run(*case.start("--overwrite"),
+                            before=[*case.before(), *before])
+        errors = [line for line in result.stderr.splitlines()
+                  if "mpm_granular: error" in line]
+        checks.that(result.returncode == 2 and len(errors) == 1 and
+                    "Cannot write" in errors[0] and "points-0000" in errors[0],
+                    f"{name}: one message",
+                    f"{result.returncode} {result.stdout[-500:]}{result.stderr}")
+        checks.that(case.manifest()["outcome"] == "failed",
+                    f"{name}: manifest", str(case.manifest()))
+        if obstacle:
+            series = read_series(case.path)
+            checks.that([time for time, _ in series] == [0.] and
+                        len(series[0][1]["id"]) > 500,
+                        f"{name}: what was written before", str(len(series)))
+
+
+# A folder where a file is to be, for one of the processes with PVTU.
+last = RANKS[-1]
+fails("VTU", FORMATS["VTU"], "points-00001.vtu.tmp", last)
+fails("PVTU", FORMATS["PVTU"], f"points-00001-000{last - 1}.vtu.tmp", last)
+fails("HDF5", FORMATS["HDF5"], "points-00001.h5.tmp", last)
+# A limit of the size of files, in kB, is like a full disk.
+FULL = ["bash", "-c", "trap '' XFSZ; ulimit -f 20; exec \"$@\"", "bash"]
+fails("VTU, full disk", FORMATS["VTU"], before=FULL)
+fails("HDF5, full disk", FORMATS["HDF5"], before=FULL)
+checks.exit()
