@@ -111,7 +111,7 @@ namespace mpm_granular::Solver
     report.chosen_dt       = parameters.time_step.is_fixed() ?
                                parameters.time_step.fixed_step :
                                parameters.time_step.cfl * limits.critical_step;
-    report.gravity         = parameters.body_force.value(0.).norm();
+    report.gravity         = parameters.body_force.gravity_at(0.).norm();
     report.n_files         = parameters.output.interval > 0. ?
                                parameters.end_time / parameters.output.interval + 1. :
                                2.;
