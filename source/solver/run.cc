@@ -236,7 +236,8 @@ namespace mpm_granular::Solver
           solver.advance_one_step(next_event());
         }
         n_point_steps += solver.n_points();
-        if (observable_times.passes(solver.time()))
+        if (parameters.output.observables_interval == 0. ||
+            observable_times.passes(solver.time()))
           write_observables();
         if (field_times.passes(solver.time()))
           write_fields();
@@ -257,6 +258,7 @@ namespace mpm_granular::Solver
   Run<dim>::write_observables()
   {
     Output::Timings::Scope timer(timings, in_observables);
+    last_row = solver.time();
     parameters.observables.write(solver.snapshot());
   }
 
@@ -306,11 +308,10 @@ namespace mpm_granular::Solver
   Run<dim>::close_output(const Output::Manifest::Outcome outcome,
                          const std::string              &message)
   {
+    if (last_row != solver.time())
+      write_observables();
     if (last_written != solver.time())
-      {
-        write_observables();
-        write_fields();
-      }
+      write_fields();
     const std::string profile =
       parameters.observables.profile_text(solver.snapshot());
     const double bytes =
