@@ -1,11 +1,11 @@
 #include <deal.II/base/mpi.h>
 
+#include <mpm_granular/parameters/pattern_text.h>
 #include <mpm_granular/points/region_shape.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
-
 
 namespace mpm_granular::Points
 {
@@ -58,6 +58,35 @@ namespace mpm_granular::Points
   BoxShape<dim>::bounding_box(const Mesh::BackgroundMesh<dim> &) const
   {
     return {std::make_pair(lower, upper)};
+  }
+
+  template <int dim>
+  void
+  BallShape<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Center", center, "Center. Units: m.");
+    prm.add_parameter("Radius",
+                      radius,
+                      "Radius. Units: m.",
+                      Parameters::positive_number());
+  }
+
+  template <int dim>
+  bool
+  BallShape<dim>::contains(const Point<dim> &x,
+                           const unsigned int /*cell*/) const
+  {
+    return x.distance_square(center) < radius * radius;
+  }
+
+  template <int dim>
+  BoundingBox<dim>
+  BallShape<dim>::bounding_box(const Mesh::BackgroundMesh<dim> &) const
+  {
+    Tensor<1, dim> reach;
+    for (unsigned int d = 0; d < dim; ++d)
+      reach[d] = radius;
+    return {std::make_pair(center - reach, center + reach)};
   }
 
   template <int dim>
@@ -142,17 +171,24 @@ namespace mpm_granular::Points
 
   template class BoxShape<2>;
   template class BoxShape<3>;
+  template class BallShape<2>;
+  template class BallShape<3>;
   template class CellSetShape<2>;
   template class CellSetShape<3>;
 
   namespace
   {
     const std::string box_documentation   = "a box with sides along the axes.";
+    const std::string ball_documentation  = "a disc in 2D, a ball in 3D.";
     const std::string cells_documentation = "sets of cells of the mesh file.";
     const RegionShapeRegistry<2>::Entry<BoxShape<2>> box_2d("box",
                                                             box_documentation);
     const RegionShapeRegistry<3>::Entry<BoxShape<3>> box_3d("box",
                                                             box_documentation);
+    const RegionShapeRegistry<2>::Entry<BallShape<2>>
+      ball_2d("ball", ball_documentation);
+    const RegionShapeRegistry<3>::Entry<BallShape<3>>
+      ball_3d("ball", ball_documentation);
     const RegionShapeRegistry<2>::Entry<CellSetShape<2>>
       cells_2d("cells", cells_documentation);
     const RegionShapeRegistry<3>::Entry<CellSetShape<3>>

@@ -22,10 +22,11 @@ namespace mpm_granular::Solver
     fields.gather_nodes(); // (T9)
     smooth_pressures();    // (T29)
     boundary.update(fields, current_time, dt);
-    boundary.add_tractions(fields, current_time); // (T10)
+    boundary.add_tractions(fields, current_time);                // (T10)
+    parameters.body_force.add_loads(fields, mesh, current_time); // (T10)
     const Momentum::StepInput<dim> step{dt,
                                         parameters.transfer.pic_factor(dt),
-                                        parameters.body_force.value(
+                                        parameters.body_force.gravity_at(
                                           current_time),
                                         boundary.constraints()};
     move_and_strain(step); // (T11) to (T24)
@@ -270,7 +271,7 @@ namespace mpm_granular::Solver
             n_steps,
             last_time_step,
             n_lost,
-            parameters.body_force.value(current_time),
+            parameters.body_force.gravity_at(current_time),
             points.arrays(),
             mesh,
             laws,

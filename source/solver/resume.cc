@@ -42,6 +42,7 @@ namespace mpm_granular::Solver
     points_output.serialize(archive);
     grid_output.serialize(archive);
     archive.replicated("output/last_written", last_written);
+    archive.replicated("output/last_row", last_row);
 
     Before now{solver.time(),
                solver.step(),

@@ -111,7 +111,7 @@ namespace mpm_granular::Solver
     report.chosen_dt       = parameters.time_step.is_fixed() ?
                                parameters.time_step.fixed_step :
                                parameters.time_step.cfl * limits.critical_step;
-    report.gravity         = parameters.body_force.value(0.).norm();
+    report.gravity         = parameters.body_force.gravity_at(0.).norm();
     report.n_files         = parameters.output.interval > 0. ?
                                parameters.end_time / parameters.output.interval + 1. :
                                2.;
@@ -238,7 +238,8 @@ namespace mpm_granular::Solver
                                    checkpoint_trigger.is_asked_for()});
         }
         n_point_steps += solver.n_points();
-        if (observable_times.passes(solver.time()))
+        if (parameters.output.observables_interval == 0. ||
+            observable_times.passes(solver.time()))
           write_observables();
         if (field_times.passes(solver.time()))
           write_fields();
@@ -261,6 +262,7 @@ namespace mpm_granular::Solver
   Run<dim>::write_observables()
   {
     Output::Timings::Scope timer(timings, in_observables);
+    last_row = solver.time();
     parameters.observables.write(solver.snapshot());
   }
 
@@ -311,11 +313,10 @@ namespace mpm_granular::Solver
   Run<dim>::close_output(const Output::Manifest::Outcome outcome,
                          const std::string              &message)
   {
+    if (last_row != solver.time())
+      write_observables();
     if (last_written != solver.time())
-      {
-        write_observables();
-        write_fields();
-      }
+      write_fields();
     const std::string profile =
       parameters.observables.profile_text(solver.snapshot());
     const double bytes =

@@ -123,7 +123,7 @@ namespace mpm_granular::Solver
   MPMSolver<dim>::set_initial_state()
   {
     auto       &arrays  = points.arrays();
-    const auto  gravity = parameters.body_force.value(0.);
+    const auto  gravity = parameters.body_force.gravity_at(0.);
     std::string remark;
     for (unsigned int p = 0; p < arrays.size(); ++p)
       {

@@ -99,9 +99,11 @@ namespace mpm_granular::Time
       }
     last_step = step;
 
-    // Equal steps to the event, so that the last one is not tiny.
-    const double rest    = next_event - time;
-    const double n_steps = std::ceil(rest / step * (1. - 1e-12));
+    // Equal steps to the event, so that the last one is not tiny. Round-off in
+    // the time adds up over many steps and must not cost one more.
+    constexpr double round_off = 1e-6;
+    const double     rest      = next_event - time;
+    const double     n_steps   = std::ceil(rest / step - round_off);
     return n_steps <= 1. ? rest : std::min(step, rest / n_steps);
   }
 

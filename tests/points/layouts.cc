@@ -63,6 +63,25 @@ test(const Mesh::MeshSource<dim>     &source,
   std::cout << "lattice: " << seeds.size() << ", volume " << volume
             << std::endl;
 
+  // Balls: a part of one in the mesh, and the volume of a whole one.
+  const std::string fine      = dim == 2 ? "0.02, 0.02" : "0.02, 0.02, 0.02";
+  double            part      = 0.;
+  bool              is_inside = true;
+  for (const auto &seed :
+       fill(mesh,
+            "set Shape = ball\nset Radius = 0.8\nset Points per cell = 16"))
+    is_inside = is_inside && seed.position.norm() < 0.8;
+  const std::string center = dim == 2 ? "0.5, 0.5" : "0.5, 0.5, 0.5";
+  for (const auto &seed : fill(
+         mesh,
+         "set Shape = ball\nset Center = " + center +
+           "\nset Radius = 0.4\nset Layout = lattice\nset Spacing = " + fine))
+    part += seed.volume;
+  const double whole =
+    dim == 2 ? numbers::PI * 0.16 : numbers::PI * 0.064 * 4. / 3.;
+  std::cout << "ball: points inside " << is_inside << ", volume within 1 % "
+            << (std::abs(part / whole - 1.) < 0.01) << std::endl;
+
   try
     {
       fill(mesh,

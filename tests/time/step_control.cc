@@ -54,6 +54,24 @@ main()
               << control.next_step({80., 1., 2.}, 6., far) << std::endl;
   }
   {
+    // 40 events at 250 steps each: round-off of the time makes no step more.
+    Time::StepControl control(
+      parameters("set Type = fixed\nset Fixed step = 2e-4"));
+    double       time = 0.;
+    unsigned int n    = 0;
+    for (unsigned int event = 1; event <= 40; ++event)
+      while (time < event * 0.05)
+        {
+          const double step =
+            control.next_step({1., 1., 0.}, time, event * 0.05);
+          time = std::abs(event * 0.05 - time - step) < 1e-12 * step ?
+                   event * 0.05 :
+                   time + step;
+          ++n;
+        }
+    std::cout << "fixed steps to 40 events: " << n << std::endl;
+  }
+  {
     Time::StepControl control(parameters("set CFL = 1"));
     double            time = 0.;
     unsigned int      n    = 0;

@@ -21,7 +21,7 @@ namespace mpm_granular::Grid
     double                 mass = 0.; ///< [kg]
     dealii::Tensor<1, dim> momentum;  ///< [kg m/s]
     dealii::Tensor<1, dim> force;     ///< internal force [N]
-    dealii::Tensor<1, dim> load;      ///< tractions on the mesh boundary [N]
+    dealii::Tensor<1, dim> load;      ///< tractions, forces of place [N]
   };
 
   /// What the points receive from a node, side by side because it is read

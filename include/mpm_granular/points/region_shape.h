@@ -59,6 +59,26 @@ namespace mpm_granular::Points
     dealii::Point<dim> upper;
   };
 
+  /// A disc in 2D, a ball in 3D.
+  template <int dim>
+  class BallShape : public RegionShape<dim>
+  {
+  public:
+    void
+    add_parameters(dealii::ParameterHandler &prm) override;
+
+    bool
+    contains(const dealii::Point<dim> &x,
+             const unsigned int        cell) const override;
+
+    dealii::BoundingBox<dim>
+    bounding_box(const Mesh::BackgroundMesh<dim> &mesh) const override;
+
+  private:
+    dealii::Point<dim> center;
+    double             radius = 1.;
+  };
+
   /// Sets of cells of the mesh, by name or material id.
   template <int dim>
   class CellSetShape : public RegionShape<dim>

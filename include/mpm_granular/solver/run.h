@@ -98,6 +98,7 @@ namespace mpm_granular::Solver
 
     std::uint64_t n_point_steps   = 0;
     double        last_written    = -1.;   ///< fields, time [s]
+    double        last_row        = -1.;   ///< of observables, time [s]
     std::uint64_t checkpoint_step = never; ///< of the newest checkpoint
 
     /// What had been done when the run was continued, so that speeds are of

@@ -1,0 +1,1 @@
+"""Series of runs: running the program, orders of convergence, tables."""
