@@ -32,12 +32,12 @@ fill(const Mesh::BackgroundMesh<dim> &mesh, const std::string &entries)
 template <int dim>
 void
 test(const Mesh::MeshSource<dim>     &source,
-     const std::vector<unsigned int> &numbers)
+     const std::vector<unsigned int> &points_per_cell)
 {
   const Mesh::BackgroundMesh<dim> mesh(source, "");
 
   // Integrals over the unit box: of x_0 it is 1/2.
-  for (const unsigned int n : numbers)
+  for (const unsigned int n : points_per_cell)
     {
       double     volume = 0., first = 0., second = 0.;
       const auto seeds =
@@ -69,7 +69,8 @@ test(const Mesh::MeshSource<dim>     &source,
   bool              is_inside = true;
   for (const auto &seed :
        fill(mesh,
-            "set Shape = ball\nset Radius = 0.8\nset Points per cell = 16"))
+            "set Shape = ball\nset Radius = 0.8\nset Points per cell = " +
+              std::to_string(points_per_cell.back())))
     is_inside = is_inside && seed.position.norm() < 0.8;
   const std::string center = dim == 2 ? "0.5, 0.5" : "0.5, 0.5, 0.5";
   for (const auto &seed : fill(
