@@ -101,7 +101,7 @@ namespace mpm_granular::Grid
               active.nodes[c][k]      = slot;
               NodeSums<dim> &node     = sums[slot];
               for (unsigned int j = 0; j < Cell::n_nodes; ++j)
-                node.mass += of_cell.mass[k * Cell::n_nodes + j];
+                node.mass += of_cell.mass(k, j);
               for (unsigned int d = 0; d < dim; ++d)
                 node.momentum[d] += of_cell.momentum[d][k];
             }
@@ -191,7 +191,7 @@ namespace mpm_granular::Grid
             {
               Tensor<1, dim> sum;
               for (unsigned int j = 0; j < n_nodes; ++j)
-                sum += mass[k * n_nodes + j] * local[j];
+                sum += mass(k, j) * local[j];
               sum_here[nodes[k]] += sum;
             }
         }

@@ -227,7 +227,7 @@ namespace mpm_granular::Momentum
               nodes[i] = fields->active_nodes[cells.nodes[c][i]];
               for (unsigned int j = 0; j < n_nodes; ++j)
                 {
-                  const double mass = cells.sums[c].mass[i * n_nodes + j];
+                  const double mass = cells.sums[c].mass(i, j);
                   local(i, j) += alpha * mass;
                   local(i, i) += (1. - alpha) * mass;
                 }

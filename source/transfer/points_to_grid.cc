@@ -43,8 +43,8 @@ namespace mpm_granular::Transfer
     template <class Cell>
     struct MassAndMomentum
     {
-      double mass[Cell::n_nodes * Cell::n_nodes];
-      double momentum[Cell::dim][Cell::n_nodes];
+      Grid::MassMatrix<Cell> mass;
+      double                 momentum[Cell::dim][Cell::n_nodes];
     };
 
     /// Adds V sigma of a point.
@@ -115,9 +115,7 @@ namespace mpm_granular::Transfer
               shape_value[k] = block.shape_values[k][p - block.begin];
               weighted[k]    = points.mass[p] * shape_value[k];
             }
-          for (unsigned int i = 0; i < n_nodes; ++i)
-            for (unsigned int j = 0; j < n_nodes; ++j)
-              sums.mass[i * n_nodes + j] += weighted[i] * shape_value[j];
+          sums.mass.add(shape_value, weighted);
           for (unsigned int d = 0; d < dim; ++d)
             for (unsigned int k = 0; k < n_nodes; ++k)
               sums.momentum[d][k] += points.velocity[d][p] * weighted[k];
@@ -126,8 +124,7 @@ namespace mpm_granular::Transfer
           if (cell == Mesh::no_cell)
             return;
           Grid::CellSums<Cell> &total = fields.sums_of(active, cell);
-          for (unsigned int i = 0; i < n_nodes * n_nodes; ++i)
-            total.mass[i] += sums.mass[i];
+          total.mass += sums.mass;
           for (unsigned int d = 0; d < dim; ++d)
             for (unsigned int k = 0; k < n_nodes; ++k)
               total.momentum[d][k] += sums.momentum[d][k];
