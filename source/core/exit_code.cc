@@ -2,8 +2,10 @@
 
 #include <mpm_granular/core/exceptions.h>
 #include <mpm_granular/core/exit_code.h>
+#include <mpm_granular/core/hdf5_file.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -63,6 +65,8 @@ namespace mpm_granular::Core
           if (rank == 0)
             say("");
         }
+      if (Hdf5File::is_broken())
+        std::_Exit(static_cast<int>(code)); // without MPI_Finalize()
       return code;
     }
 

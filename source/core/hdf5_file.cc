@@ -14,6 +14,10 @@ namespace mpm_granular::Core
 
   namespace
   {
+    bool a_file_is_left = false;
+
+
+
     /// An identifier of HDF5 that is given back at the end of its scope.
     class Handle
     {
@@ -164,8 +168,26 @@ namespace mpm_granular::Core
 
   Hdf5File::~Hdf5File()
   {
-    if (file >= 0)
-      H5Fclose(file);
+    try_to_close();
+  }
+
+
+
+  bool
+  Hdf5File::is_broken()
+  {
+    return a_file_is_left;
+  }
+
+
+
+  bool
+  Hdf5File::try_to_close()
+  {
+    const bool is_closed = file < 0 || H5Fclose(file) >= 0;
+    a_file_is_left       = a_file_is_left || !is_closed;
+    file                 = -1;
+    return is_closed;
   }
 
 
@@ -173,9 +195,7 @@ namespace mpm_granular::Core
   void
   Hdf5File::close()
   {
-    const hid_t closing = file;
-    file                = -1;
-    require_on_all(H5Fclose(closing) >= 0, "write the file");
+    require_on_all(try_to_close(), "write the file");
   }
 
 

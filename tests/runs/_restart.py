@@ -81,9 +81,9 @@ class Case:
                     f"{result.returncode} {result.stdout[-2000:]}{result.stderr}")
         return result
 
-    def stop(self, which, *arguments, rows=None):
+    def stop(self, which, *arguments, rows=None, is_ready=lambda: True):
         """Sends a signal when there are so many rows, or some time after the
-        run has begun to write; waits for the end. The exit code."""
+        run has begun to write and is ready; waits for the end. The exit code."""
         table = self.path / "observables.csv"
         before = self.begin()
         with subprocess.Popen([*self.before(), PROGRAM, *arguments],
@@ -91,7 +91,7 @@ class Case:
                               stderr=subprocess.PIPE, text=True) as process:
             deadline = time.time() + TIME_LIMIT
             while process.poll() is None and time.time() < deadline:
-                if self.begin() != before and (
+                if self.begin() != before and is_ready() and (
                         rows is None or table.exists() and
                         table.read_text().count("\n") > rows):
                     break
@@ -133,23 +133,23 @@ class Case:
 
 
 def kill(case, n_times, look=lambda: None):
-    """Kills a run at random moments, so many times, and continues it each time;
-    a run that is done meanwhile begins anew. `look` looks at what is there after
-    each kill. The arguments to go on with, and the number of kills."""
+    """Kills a run at random moments after its first checkpoint, so many times,
+    and continues it each time; a run that is done meanwhile begins anew. `look`
+    looks at what is there after each kill. The arguments to go on with, and the
+    number of kills."""
     new = case.start("--set=Checkpoint/Step interval=3")
     arguments, n_killed = new, 0
     while n_killed < n_times:
-        code = case.stop(signal.SIGKILL, *arguments)
+        code = case.stop(signal.SIGKILL, *arguments, is_ready=case.checkpoints)
         if code == -signal.SIGKILL:
             n_killed += 1
             look()
-        elif code != 0:
-            break
-        if code != 0 and case.checkpoints():
             arguments = ["--resume", "out"]
-        else:
+        elif code == 0:
             arguments = new
-            shutil.rmtree(case.path, ignore_errors=True)
+            shutil.rmtree(case.path)
+        else:
+            break
     return arguments, n_killed
 
 

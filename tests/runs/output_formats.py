@@ -5,12 +5,16 @@ that were stopped and continued leave the same files; what cannot be written end
 the run with one message and the exit code."""
 
 import os
+import resource
 import shutil
+import subprocess
+import time
 
 import numpy
 
 from _case import Folder
 from _fields import by_id, read_series
+from _program import PROGRAM, TIME_LIMIT
 from _restart import Case, checks, column, interrupted, same
 
 END = ".02"
@@ -23,6 +27,7 @@ FORMATS = {"VTU": ["Output/Format=VTU"],
            "VTU without compression": ["Output/Compression=none"],
            "HDF5 without compression": ["Output/Format=HDF5",
                                         "Output/Compression=none"]}
+MANY = ["Points/body/Points per cell=16"]
 RANKS = (1, 2, 3) if os.environ.get("MPM_MPIEXEC") else (1,)
 
 
@@ -128,38 +133,57 @@ for name in ("PVTU of two ranks", "HDF5"):
                     f"{name}: the format cannot be changed", message)
 
 
-def fails(name, settings, obstacle="", ranks=1, before=()):
-    """A run that cannot write a file of points ends with exit code 2 and one
-    message; what the record names is complete."""
+def check_failure(name, case, exit_code, message):
+    """Whether a run that could not write a file of points ended with exit code 2
+    and one message, and what the record names is complete."""
+    errors = [line for line in message.splitlines()
+              if "mpm_granular: error" in line]
+    checks.that(exit_code == 2 and len(errors) == 1 and
+                "Cannot write" in errors[0] and "points-0000" in errors[0],
+                f"{name}: one message", f"{exit_code} {message}")
+    checks.that(case.manifest()["outcome"] == "failed", f"{name}: manifest",
+                str(case.manifest()))
+    series = read_series(case.path)
+    checks.that(series[0][0] == 0. and len(series[-1][1]["id"]) > 500,
+                f"{name}: what was written before", str(len(series)))
+
+
+def obstacle(name, file):
+    """There is a folder where a file of the second instant is to be."""
     with Folder() as folder:
-        case = Case(folder, column(2, END), [
-            *SHORT, *settings, "Points/body/Points per cell=16"], ranks)
-        if obstacle:
-            (case.path / "points" / obstacle / "in the way").mkdir(parents=True)
-        result = folder.run(*case.start("--overwrite"),
-                            before=[*case.before(), *before])
-        errors = [line for line in result.stderr.splitlines()
-                  if "mpm_granular: error" in line]
-        checks.that(result.returncode == 2 and len(errors) == 1 and
-                    "Cannot write" in errors[0] and "points-0000" in errors[0],
-                    f"{name}: one message",
-                    f"{result.returncode} {result.stdout[-500:]}{result.stderr}")
-        checks.that(case.manifest()["outcome"] == "failed",
-                    f"{name}: manifest", str(case.manifest()))
-        if obstacle:
-            series = read_series(case.path)
-            checks.that([time for time, _ in series] == [0.] and
-                        len(series[0][1]["id"]) > 500,
-                        f"{name}: what was written before", str(len(series)))
+        case = Case(folder, column(2, END), [*SHORT, *FORMATS[name], *MANY],
+                    RANKS[-1])
+        (case.path / "points" / file / "in the way").mkdir(parents=True)
+        result = folder.run(*case.start("--overwrite"), before=case.before())
+        check_failure(f"{name}, obstacle", case, result.returncode,
+                      result.stderr)
 
 
-# A folder where a file is to be, for one of the processes with PVTU.
-last = RANKS[-1]
-fails("VTU", FORMATS["VTU"], "points-00001.vtu.tmp", last)
-fails("PVTU", FORMATS["PVTU"], f"points-00001-000{last - 1}.vtu.tmp", last)
-fails("HDF5", FORMATS["HDF5"], "points-00001.h5.tmp", last)
-# A limit of the size of files, in kB, is like a full disk.
-FULL = ["bash", "-c", "trap '' XFSZ; ulimit -f 20; exec \"$@\"", "bash"]
-fails("VTU, full disk", FORMATS["VTU"], before=FULL)
-fails("HDF5, full disk", FORMATS["HDF5"], before=FULL)
+def full_disk(name):
+    """After its start a run can only write files of 20 kB: what a full disk
+    looks like."""
+    with Folder() as folder:
+        case = Case(folder, column(2, "100"), [
+            *SHORT, *FORMATS[name], *MANY, "Output/Observables interval=1"])
+        # Python ignores the signal that comes with the limit; so does the run.
+        with subprocess.Popen([PROGRAM, *case.start()], cwd=folder.path,
+                              stdout=subprocess.DEVNULL, text=True,
+                              stderr=subprocess.PIPE,
+                              restore_signals=False) as process:
+            record = "points.xdmf" if name == "HDF5" else "points.pvd"
+            deadline = time.time() + TIME_LIMIT
+            while (process.poll() is None and time.time() < deadline and
+                   not (case.path / record).exists()):
+                time.sleep(.01)
+            resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (20000, 20000))
+            message = process.communicate(timeout=TIME_LIMIT)[1]
+        check_failure(f"{name}, full disk", case, process.returncode, message)
+
+
+# Of one of the processes with PVTU.
+obstacle("VTU", "points-00001.vtu.tmp")
+obstacle("PVTU", f"points-00001-000{RANKS[-1] - 1}.vtu.tmp")
+obstacle("HDF5", "points-00001.h5.tmp")
+full_disk("VTU")
+full_disk("HDF5")
 checks.exit()

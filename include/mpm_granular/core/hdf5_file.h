@@ -60,6 +60,11 @@ namespace mpm_granular::Core
     void
     close();
 
+    /// Whether a file of this process could not be closed, say on a full disk.
+    /// HDF5, which is ended by MPI_Finalize(), then crashes there.
+    static bool
+    is_broken();
+
     /// The type and the extent of the array @p name; nothing is of this
     /// process yet. A text has one row.
     Extent
@@ -112,6 +117,10 @@ namespace mpm_granular::Core
     read_attribute(const std::string &object, const std::string &name) const;
 
   private:
+    /// Closes the file. @return whether that worked on this process.
+    bool
+    try_to_close();
+
     /// Throws unless @p is_good on all processes.
     void
     require_on_all(const bool is_good, const std::string &what) const;
