@@ -1,5 +1,5 @@
 # "cmake --install build/release --prefix DIR": the program, the shipped inputs
-# with their meshes, the scripts and the documentation.
+# with their meshes, the scripts, the benchmarks and the documentation.
 
 include(GNUInstallDirs)
 
@@ -10,6 +10,9 @@ install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DATADIR}/mpm_granular
 install(DIRECTORY scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/mpm_granular
   USE_SOURCE_PERMISSIONS
   FILES_MATCHING PATTERN "*.py" PATTERN "*.sh")
+install(DIRECTORY benchmarks DESTINATION ${CMAKE_INSTALL_DATADIR}/mpm_granular
+  USE_SOURCE_PERMISSIONS
+  FILES_MATCHING PATTERN "verify" PATTERN "*.py" PATTERN "*.toml")
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}
   FILES_MATCHING PATTERN "*.md" PATTERN "*.bib" PATTERN "*.png")
 install(FILES README.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

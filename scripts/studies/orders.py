@@ -28,6 +28,12 @@ class Estimate:
                          # finest value, with the safety factor 1.25
     is_monotone: bool    # whether the three values approach a limit
 
+    @property
+    def is_credible(self):
+        """Whether the limit says anything: with orders below 1/2 it lies far
+        outside of the values and follows from their noise."""
+        return self.is_monotone and self.order >= .5
+
 
 def estimate(sizes, values):
     """The estimate from the three finest levels. Where they do not approach a

@@ -178,8 +178,8 @@ class Result:
         for label, found in self.estimates.items():
             if self.observable.exact:
                 continue
-            if not found.is_monotone:
-                lines.append([label, "–", "–", "–"])
+            if not found.is_credible:
+                lines.append([label, found.order, "–", "–"])
             else:
                 lines.append([label, found.order,
                               number(found.extrapolated, 6),

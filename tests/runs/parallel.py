@@ -70,7 +70,7 @@ for name, file, settings in CASES[:4] if IS_DEBUG else CASES:
                    ["front", "height", "area", "potential_energy",
                     "elastic_energy", "transfer_loss"], 1e-9)
 
-# A load at the boundary, counted once.
+# A load at the boundary and a force of place, counted once.
 LOADED = """
 set Dimension = 2
 set End time  = 0.05
@@ -81,6 +81,9 @@ subsection Boundary conditions
   subsection top
     set Traction = 0; -1000
   end
+end
+subsection Body force
+  set Force = 3*y; 2*x
 end
 """
 for kind in KINDS:

@@ -18,7 +18,7 @@ TIME_LIMIT = 900  # seconds; Debug builds on busy machines are slow
 
 def shipped_inputs():
     """The parameter files that are shipped; there is at least one."""
-    files = sorted(INPUTS.glob("*.prm"))
+    files = sorted(INPUTS.rglob("*.prm"))
     assert files, f"no inputs in {INPUTS}"
     return files
 

@@ -40,7 +40,9 @@ for room in sorted(path for path in source.iterdir() if path.is_dir()):
         expected.add(f"{room.name}/{base}{ranks}{threads}.{build_type}")
 
     for path in sorted(room.iterdir()):
-        base = path.name.split(".")[0]
+        base, *tags = path.name.split(".")[:-1]
+        if {"debug", "release"} & set(tags) - {build_type}:
+            continue
         if path.suffix in (".py", ".sh") and not path.name.startswith("_"):
             expected.add(f"{room.name}/{base}.{build_type}")
         elif path.suffix == ".cc" and base not in names:

@@ -23,6 +23,8 @@ checks.that(abs(found.extrapolated - 3) < 1e-9, "limit", str(found))
 checks.that(abs(found.gci - 1.25 * (values[-1] - 3) / values[-1]) < 1e-9,
             "grid convergence index", str(found))
 checks.that(not estimate(sizes, [1., 2., 1.5]).is_monotone, "no limit")
+checks.that(found.is_credible and not estimate(
+    sizes, [3 + h**.2 for h in sizes]).is_credible, "sizes too coarse")
 checks.that(all(abs(order - 1.5) < 1e-9 for order in observed_orders(
     sizes, [value - 3 for value in values])), "orders of errors")
 

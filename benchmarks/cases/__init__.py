@@ -1,0 +1,1 @@
+"""The verification cases, each a module with TITLE and verify(suite)."""
