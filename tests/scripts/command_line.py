@@ -48,11 +48,21 @@ def refused(name, arguments, *fragments, prepare=None, before=()):
 
 
 def refused_values(name, assignments, *fragments, case=CASE):
-    """The shipped case with other values must be refused, when it is run and
-    when it is only checked."""
-    options = [f"--set={assignment}" for assignment in assignments]
-    refused(name, [case, *options], *fragments)
-    refused(f"{name}, --check", ["--check", case, *options], *fragments)
+    """The shipped case with other values must be refused."""
+    refused(name, [case, *options(assignments)], *fragments)
+
+
+def refused_cases(name, assignments, *fragments, case=CASE):
+    """The same for what only the set-up finds, when the case is run and when it
+    is only checked."""
+    refused_values(name, assignments, *fragments, case=case)
+    refused(f"{name}, --check", ["--check", case, *options(assignments)],
+            *fragments)
+
+
+def options(assignments):
+    """The command line that changes values."""
+    return [f"--set={assignment}" for assignment in assignments]
 
 
 def changed_case(old, new):
@@ -145,22 +155,22 @@ def test_values():
 
 def test_case():
     """What cannot be right with this mesh and these points."""
-    refused_values("missing mesh", ["Mesh/File=meshes/nothing.msh"],
-                   "Mesh/File", "nothing.msh")
-    refused_values("not a mesh", ["Mesh/File=wall.prm"], "wall.prm")
-    refused_values("unknown boundary",
-                   ["Boundary conditions/base/Boundaries=y_mni"],
-                   "y_mni", "y_min")
-    refused_values("boundary without condition",
-                   ["Boundary conditions/open/Boundaries=x_max"], "y_max")
-    refused_values("unknown cells", ["Points/wall/Cell sets=snad"],
-                   "snad", "sand")
-    refused_values("step above the limit",
-                   ["Time step/Type=fixed", "Time step/Fixed step=1"],
-                   "Fixed step")
-    refused_values("points outside of the mesh",
-                   ["Points/wall/Upper corner=99, 0.2, 2"],
-                   "Points/wall", case=INPUTS / "wall_paper.prm")
+    refused_cases("missing mesh", ["Mesh/File=meshes/nothing.msh"],
+                  "Mesh/File", "nothing.msh")
+    refused_cases("not a mesh", ["Mesh/File=wall.prm"], "wall.prm")
+    refused_cases("unknown boundary",
+                  ["Boundary conditions/base/Boundaries=y_mni"],
+                  "y_mni", "y_min")
+    refused_cases("boundary without condition",
+                  ["Boundary conditions/open/Boundaries=x_max"], "y_max")
+    refused_cases("unknown cells", ["Points/wall/Cell sets=snad"],
+                  "snad", "sand")
+    refused_cases("step above the limit",
+                  ["Time step/Type=fixed", "Time step/Fixed step=1"],
+                  "Fixed step")
+    refused_cases("points outside of the mesh",
+                  ["Points/wall/Upper corner=99, 0.2, 2"],
+                  "Points/wall", case=INPUTS / "wall_paper.prm")
 
 
 def test_output_folder():
