@@ -142,7 +142,8 @@ namespace mpm_granular::Mesh
       return iterators.size();
     }
 
-    /// Cells that no other rank owns: all, or the first ones.
+    /// Of a distributed mesh, the cells that this rank owns, which come first;
+    /// otherwise all.
     unsigned int
     n_own_cells() const
     {
@@ -204,14 +205,6 @@ namespace mpm_granular::Mesh
     cells() const
     {
       return std::get<std::vector<Cell>>(all_cells);
-    }
-
-    unsigned int
-    n_nodes_per_cell() const
-    {
-      return visit([](const auto &cells) {
-        return std::decay_t<decltype(cells)>::value_type::n_nodes;
-      });
     }
 
     dealii::ArrayView<const unsigned int>
@@ -349,8 +342,6 @@ namespace mpm_granular::Mesh
     memory_consumption() const;
 
   private:
-    void
-    make_space();
     void
     fill();
     void
