@@ -34,7 +34,7 @@ RANKS = (1, 2, 3) if os.environ.get("MPM_MPIEXEC") else (1,)
 def files_of(dim, settings, ranks):
     """What a run leaves: points, grid, and the names of the files."""
     with Folder() as folder:
-        case = Case(folder, column(dim, END), [*SHORT, *settings], ranks)
+        case = Case(folder, column(dim, end=END), [*SHORT, *settings], ranks)
         case.run(*case.start("--set=Checkpoint/At end=false"))
         return (read_series(case.path), read_series(case.path, "grid"),
                 sorted(folder.files()))
@@ -151,7 +151,7 @@ def check_failure(name, case, exit_code, message):
 def obstacle(name, file):
     """There is a folder where a file of the second instant is to be."""
     with Folder() as folder:
-        case = Case(folder, column(2, END), [*SHORT, *FORMATS[name], *MANY],
+        case = Case(folder, column(2, end=END), [*SHORT, *FORMATS[name], *MANY],
                     RANKS[-1])
         (case.path / "points" / file / "in the way").mkdir(parents=True)
         result = folder.run(*case.start("--overwrite"), before=case.before())
@@ -163,7 +163,7 @@ def full_disk(name):
     """After its start a run can only write files of 20 kB: what a full disk
     looks like."""
     with Folder() as folder:
-        case = Case(folder, column(2, "100"), [
+        case = Case(folder, column(2, end="100"), [
             *SHORT, *FORMATS[name], *MANY, "Output/Observables interval=1"])
         # Python ignores the signal that comes with the limit; so does the run.
         with subprocess.Popen([PROGRAM, *case.start()], cwd=folder.path,
