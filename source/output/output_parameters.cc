@@ -56,7 +56,7 @@ namespace mpm_granular::Output
       format,
       "Files of points and grid. 'VTU': one file per instant, which the first "
       "process writes for all; the record for ParaView is points.pvd. 'PVTU': "
-      "several VTU files of points per instant, written at the same time, with "
+      "several VTU files per instant, written at the same time, with "
       "a PVTU file that names them; points.pvd. 'HDF5': one HDF5 file per "
       "instant, which all processes write together; points.xdmf. It cannot be "
       "changed when a run is continued.",
