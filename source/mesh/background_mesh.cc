@@ -230,10 +230,10 @@ namespace mpm_granular::Mesh
             iterator->vertex(Cell::end_of_edge(d)) - iterator->vertex(0);
         const double det = determinant(edges);
         volumes[index]   = det * Cell::reference_volume;
-        require(det > 0.,
-                "The mesh has an inverted or flat cell at " +
-                  as_text(iterator->center()) +
-                  "; every cell must have a positive volume.");
+        if (!(det > 0.))
+          throw InputError("The mesh has an inverted or flat cell at " +
+                           as_text(iterator->center()) +
+                           "; every cell must have a positive volume.");
 
         // x - x_0 = sum_d xi_d edge_d, so the columns of the inverse are the
         // gradients of xi_d.
@@ -253,11 +253,12 @@ namespace mpm_granular::Mesh
             // cell.
             constexpr double tolerance = 1e-6;
             const auto       values    = cell.shape_values(vertex);
-            require(std::abs(values[k] - 1.) < tolerance,
-                    "The mesh has a cell at " + as_text(iterator->center()) +
-                      " that is not box-like; hypercubes must be " +
-                      (dim == 2 ? "parallelograms" : "parallelepipeds") +
-                      ". Take simplices for such a geometry.");
+            if (!(std::abs(values[k] - 1.) < tolerance))
+              throw InputError(
+                "The mesh has a cell at " + as_text(iterator->center()) +
+                " that is not box-like; hypercubes must be " +
+                (dim == 2 ? "parallelograms" : "parallelepipeds") +
+                ". Take simplices for such a geometry.");
           }
       }
   }

@@ -61,9 +61,9 @@ namespace mpm_granular::Points
     std::vector<Seed<dim>> seeds;
     for (unsigned int i = 0; i < places.size(); ++i)
       {
-        require(cells[i] != Mesh::no_cell,
-                "A point of the lattice lies outside the mesh, at " +
-                  Mesh::as_text(places[i]) + ".");
+        if (cells[i] == Mesh::no_cell)
+          throw InputError("A point of the lattice lies outside the mesh, at " +
+                           Mesh::as_text(places[i]) + ".");
         if (cells[i] != Mesh::unknown_cell &&
             shape.contains(places[i], cells[i]))
           seeds.push_back({places[i], cells[i], volume, i});

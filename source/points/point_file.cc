@@ -126,13 +126,14 @@ namespace mpm_granular::Points
     std::vector<Seed<dim>> seeds;
     for (unsigned int row = 0; row < table.size(); ++row)
       {
-        const double      volume = table[row][dim];
-        const std::string name   = path + ": point " + std::to_string(row + 1) +
-                                 " at " + Mesh::as_text(places[row]);
-        require(cells[row] != Mesh::no_cell, name + " lies outside the mesh.");
-        require(volume > 0.,
-                name + " has the volume " + std::to_string(volume) +
-                  "; it must be positive.");
+        const double volume = table[row][dim];
+        if (cells[row] == Mesh::no_cell || !(volume > 0.))
+          throw InputError(path + ": point " + std::to_string(row + 1) +
+                           " at " + Mesh::as_text(places[row]) +
+                           (cells[row] == Mesh::no_cell ?
+                              " lies outside the mesh." :
+                              " has the volume " + std::to_string(volume) +
+                                "; it must be positive."));
         if (cells[row] != Mesh::unknown_cell &&
             shape.contains(places[row], cells[row]))
           seeds.push_back({places[row], cells[row], volume, row});

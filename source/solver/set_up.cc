@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -104,11 +105,12 @@ namespace mpm_granular::Solver
           }
         for (unsigned int before = 0; before < r; ++before)
           for (const auto &seed : seeds)
-            require(!parameters.regions[regions[before]].contains(seed.position,
-                                                                  seed.cell),
-                    "The regions " + regions[before] + " and " + regions[r] +
-                      " of 'Points' overlap, for example at " +
-                      Mesh::as_text(seed.position) + ".");
+            if (parameters.regions[regions[before]].contains(seed.position,
+                                                             seed.cell))
+              throw InputError("The regions " + regions[before] + " and " +
+                               regions[r] +
+                               " of 'Points' overlap, for example at " +
+                               Mesh::as_text(seed.position) + ".");
         const unsigned int material = std::find(materials.begin(),
                                                 materials.end(),
                                                 region.material_name()) -
@@ -149,22 +151,28 @@ namespace mpm_granular::Solver
   MPMSolver<dim>::find_cell_limits()
   {
     // Any material may come to any cell. Many cells may have the same shape up
-    // to round-off: the limit is that of the gradients in single precision, so
-    // that it is the same wherever it is computed.
+    // to round-off: the limit is that of the gradients rounded to a part in
+    // 2^24 of the largest, so that it is the same wherever it is computed.
+    constexpr double parts = 1 << 24;
     const double factor = parameters.momentum.mass_matrix->time_step_factor();
     cell_limits.resize(mesh.n_cells());
     mesh.visit([&](const auto &cells) {
       using Cell  = typename std::decay_t<decltype(cells)>::value_type;
-      using Shape = std::array<float, dim * dim>;
+      using Shape = std::array<double, dim * dim>;
       std::map<Shape, double> step_of_shape;
       for (unsigned int index = 0; index < cells.size(); ++index)
         {
+          float largest = 0.;
+          for (const auto &gradient : cells[index].gradient)
+            for (const double component : gradient)
+              largest = std::max<float>(largest, std::abs(component));
           Shape shape;
           Cell  rounded = cells[index];
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = 0; j < dim; ++j)
               rounded.gradient[i][j] = shape[i * dim + j] =
-                cells[index].gradient[i][j];
+                std::round(cells[index].gradient[i][j] / largest * parts) *
+                largest / parts;
           auto &step = step_of_shape[shape];
           if (step == 0.)
             {

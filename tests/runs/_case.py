@@ -27,6 +27,12 @@ ELASTIC = """
 
 KINDS = ("simplices", "hypercubes")
 
+# Settings that put wall_2d.prm on squares of 0.05 m.
+SQUARES = ["Mesh/Source=box", "Mesh/Cells=hypercubes", "Mesh/Lower corner=0, 0",
+           "Mesh/Upper corner=4, 2.2", "Mesh/Subdivisions=80, 44",
+           "Points/wall/Shape=box", "Points/wall/Lower corner=0, 0",
+           "Points/wall/Upper corner=1, 2"]
+
 
 def box(dim, lower, upper, subdivisions, cells="simplices"):
     """The section Mesh of a box."""

@@ -5,7 +5,7 @@ them with one message and the exit code."""
 import json
 import os
 
-from _case import (ELASTIC, INPUTS, KINDS, Checks, Folder, Result, body, boundaries,
+from _case import (ELASTIC, INPUTS, KINDS, SQUARES, Checks, Folder, Result, body, boundaries,
                    box, escaping_body)
 
 checks = Checks()
@@ -103,13 +103,17 @@ for kind in KINDS:
 
 if not IS_DEBUG:
     # The whole collapse: the points go three times as far as they were wide.
-    one, three = run(1, INPUTS / "wall_2d.prm"), run(3, INPUTS / "wall_2d.prm")
-    check_same("the deposit", one, three, ["front", "height"], .02)
-    checks.that(abs(three.last("closure")) < 2e-3,
-                "the ledger on three processes", str(three.last("closure")))
-    checks.that(three.manifest["performance"]["largest_imbalance"] < .1 and
-                three.manifest["performance"]["redistributions"] > 0,
-                "the load stays even", str(three.manifest))
+    for kind, settings in zip(KINDS, ([], SQUARES)):
+        one, three = (run(ranks, INPUTS / "wall_2d.prm", *settings,
+                          "Output/Interval=0") for ranks in (1, 3))
+        check_same(f"the deposit, {kind}", one, three, ["front", "height"], .02)
+        checks.that(abs(three.last("closure")) < 2e-3,
+                    f"the ledger on three processes, {kind}",
+                    str(three.last("closure")))
+        performance = three.manifest["performance"]
+        checks.that(performance["largest_imbalance"] < .1 and
+                    performance["redistributions"] > 0,
+                    f"the load stays even, {kind}", str(performance))
 
 # One process has nothing to do, if there are more processes than cells.
 for kind in KINDS:
