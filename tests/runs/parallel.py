@@ -5,8 +5,8 @@ them with one message and the exit code."""
 import json
 import os
 
-from _case import (ELASTIC, INPUTS, KINDS, SQUARES, Checks, Folder, Result, body, boundaries,
-                   box, escaping_body)
+from _case import (ELASTIC, INPUTS, KINDS, SQUARES, Checks, Folder, Result,
+                   body, boundaries, box, escaping_body)
 
 checks = Checks()
 IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
