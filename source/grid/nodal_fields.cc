@@ -55,8 +55,10 @@ namespace mpm_granular::Grid
   template <int dim>
   NodalFields<dim>::NodalFields(const Mesh::BackgroundMesh<dim> &mesh,
                                 const Mesh::Partition<dim>      &partition)
-    : shared(partition)
+    : shared(partition, &Mesh::Partition<dim>::Neighbor::nodes)
+    , shared_cells(partition, &Mesh::Partition<dim>::Neighbor::cells)
     , mesh(mesh)
+    , partition(partition)
   {
     mesh.visit([&](const auto &cells) {
       using Cell = typename std::decay_t<decltype(cells)>::value_type;
@@ -91,13 +93,7 @@ namespace mpm_granular::Grid
           const CellSums<Cell> &of_cell = active.sums[c];
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
             {
-              if (!is_active_node(cell.node[k]))
-                {
-                  node_slot[cell.node[k]] = active_nodes.size();
-                  active_nodes.push_back(cell.node[k]);
-                  sums.emplace_back();
-                }
-              const unsigned int slot = node_slot[cell.node[k]];
+              const unsigned int slot = activate_node(cell.node[k]);
               active.nodes[c][k]      = slot;
               NodeSums<dim> &node     = sums[slot];
               for (unsigned int j = 0; j < Cell::n_nodes; ++j)
@@ -108,10 +104,16 @@ namespace mpm_granular::Grid
           Grid::add_forces(cell, of_cell.internal, active.nodes[c], sums);
         }
     });
+    sum_nodes();
     motion.resize(active_nodes.size());
+  }
+
+  template <int dim>
+  void
+  NodalFields<dim>::sum_nodes()
+  {
     if (shared.is_serial())
       return;
-
     constexpr unsigned int n_values = 1 + 2 * dim;
     packed.resize(sums.size() * n_values);
     for (unsigned int i = 0; i < sums.size(); ++i)
@@ -127,10 +129,13 @@ namespace mpm_granular::Grid
     shared.find_and_sum(
       [&](const unsigned int node) {
         return is_active_node(node) ? node_slot[node] :
-                                      SharedNodes<dim>::no_slot;
+                                      SharedSums<dim>::no_slot;
       },
-      sums.size(),
-      packed.data(),
+      [&](const unsigned int node) {
+        if (partition.is_of_own_cell(node))
+          activate_node(node);
+      },
+      packed,
       n_values);
     for (unsigned int i = 0; i < sums.size(); ++i)
       {
@@ -142,6 +147,37 @@ namespace mpm_granular::Grid
             sums[i].force[d]    = values[dim];
           }
       }
+  }
+
+  template <int dim>
+  void
+  NodalFields<dim>::activate_late(const unsigned int cell)
+  {
+    activate(cell);
+    mesh.visit([&](const auto &cells) {
+      using Cell  = typename std::decay_t<decltype(cells)>::value_type;
+      auto &slots = this->template cells<Cell>().nodes.emplace_back();
+      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+        slots[k] = node_slot[cells[cell].node[k]];
+    });
+  }
+
+  template <int dim>
+  void
+  NodalFields<dim>::find_shared_cells(std::vector<double> &values,
+                                      const unsigned int   n_values)
+  {
+    shared_cells.find_and_sum(
+      [&](const unsigned int cell) {
+        return is_active_cell(cell) ? cell_slot[cell] :
+                                      SharedSums<dim>::no_slot;
+      },
+      [&](const unsigned int cell) {
+        if (partition.is_owned(cell) && !is_active_cell(cell))
+          activate_late(cell);
+      },
+      values,
+      n_values);
   }
 
   template <int dim>

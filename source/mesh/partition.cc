@@ -16,13 +16,48 @@ namespace mpm_granular::Mesh
   {
     using Ranks = std::vector<std::uint32_t>;
 
+    bool
+    contains(const Ranks &list, const std::uint32_t rank)
+    {
+      return std::find(list.begin(), list.end(), rank) != list.end();
+    }
+
     /// Adds ranks to a short list without repetition.
     void
     insert(Ranks &list, const Ranks &more)
     {
       for (const auto rank : more)
-        if (std::find(list.begin(), list.end(), rank) == list.end())
+        if (!contains(list, rank))
           list.push_back(rank);
+    }
+
+    /// Adds to the ranks known at the nodes of ghost cells those that the
+    /// owners of these cells know of.
+    template <int dim>
+    void
+    complete_at_ghost_nodes(const BackgroundMesh<dim> &mesh,
+                            std::vector<Ranks>        &of_nodes)
+    {
+      mesh.template send_to_ghosts<std::vector<Ranks>>(
+        [&](const unsigned int cell) {
+          std::vector<Ranks> of_cell;
+          for (const unsigned int node : mesh.nodes(cell))
+            of_cell.push_back(of_nodes[node]);
+          return of_cell;
+        },
+        [&](const unsigned int cell, const std::vector<Ranks> &of_cell) {
+          for (unsigned int k = 0; k < of_cell.size(); ++k)
+            insert(of_nodes[mesh.nodes(cell)[k]], of_cell[k]);
+        });
+    }
+
+    template <class Key>
+    void
+    sort_by(std::vector<unsigned int> &list, Key &&key)
+    {
+      std::sort(list.begin(), list.end(), [&](const auto a, const auto b) {
+        return key(a) < key(b);
+      });
     }
   } // namespace
 
@@ -59,6 +94,7 @@ namespace mpm_granular::Mesh
     if (!mesh.is_distributed())
       owners.assign(mesh.n_cells(), 0);
     reachable.assign(mesh.n_cells(), true);
+    own_nodes.assign(mesh.n_nodes(), true);
     distribute(std::vector<std::uint32_t>(mesh.n_cells(), 1));
   }
 
@@ -166,59 +202,65 @@ namespace mpm_granular::Mesh
   Partition<dim>::find_neighbors()
   {
     // The ranks that own a cell around each node; then, those that own or see
-    // each cell; then, those that may have points around each node.
-    std::vector<Ranks> around(mesh.n_nodes());
+    // each cell; then, those that may have points around each node. The owner
+    // of a cell has all cells around it; what it finds is sent to the others
+    // that have the cell.
+    std::vector<Ranks> owning(mesh.n_nodes());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       for (const unsigned int node : mesh.nodes(cell))
-        insert(around[node], {owner(mesh.global_cell(cell))});
+        insert(owning[node], {owner(mesh.global_cell(cell))});
+    complete_at_ghost_nodes(mesh, owning);
 
-    // The owner of a cell has all cells around it; what it finds is sent to the
-    // others that have the cell.
     std::vector<Ranks> seeing(mesh.n_cells());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       for (const unsigned int node : mesh.nodes(cell))
-        insert(seeing[cell], around[node]);
+        insert(seeing[cell], owning[node]);
     mesh.template send_to_ghosts<Ranks>(
       [&](const unsigned int cell) { return seeing[cell]; },
       [&](const unsigned int cell, const Ranks &ranks) {
         seeing[cell] = ranks;
       });
-    reachable.resize(mesh.n_cells());
-    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      reachable[cell] =
-        std::find(seeing[cell].begin(), seeing[cell].end(), rank) !=
-        seeing[cell].end();
 
     std::vector<Ranks> meeting(mesh.n_nodes());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       for (const unsigned int node : mesh.nodes(cell))
         insert(meeting[node], seeing[cell]);
-    mesh.template send_to_ghosts<std::vector<Ranks>>(
-      [&](const unsigned int cell) {
-        std::vector<Ranks> of_nodes;
-        for (const unsigned int node : mesh.nodes(cell))
-          of_nodes.push_back(meeting[node]);
-        return of_nodes;
-      },
-      [&](const unsigned int cell, const std::vector<Ranks> &of_nodes) {
-        for (unsigned int k = 0; k < of_nodes.size(); ++k)
-          insert(meeting[mesh.nodes(cell)[k]], of_nodes[k]);
-      });
+    complete_at_ghost_nodes(mesh, meeting);
 
-    std::map<unsigned int, std::vector<unsigned int>> nodes_of_rank;
+    reachable.resize(mesh.n_cells());
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      reachable[cell] = contains(seeing[cell], rank);
+    own_nodes.resize(mesh.n_nodes());
     for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
-      if (std::find(meeting[node].begin(), meeting[node].end(), rank) !=
-          meeting[node].end())
+      own_nodes[node] = contains(owning[node], rank);
+
+    std::map<unsigned int, Neighbor> by_rank;
+    for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
+      if (contains(meeting[node], rank))
         for (const auto other : meeting[node])
           if (other != rank)
-            nodes_of_rank[other].push_back(node);
+            by_rank[other].nodes.places.push_back(node);
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+      if (reachable[cell])
+        for (const auto other : seeing[cell])
+          if (other != rank)
+            by_rank[other].cells.places.push_back(cell);
+
     all_neighbors.clear();
-    for (auto &[other, nodes] : nodes_of_rank)
+    for (auto &[other, neighbor] : by_rank)
       {
-        std::sort(nodes.begin(), nodes.end(), [&](const auto a, const auto b) {
-          return mesh.global_node(a) < mesh.global_node(b);
-        });
-        all_neighbors.push_back({other, std::move(nodes)});
+        neighbor.rank = other;
+        auto &nodes   = neighbor.nodes;
+        sort_by(nodes.places,
+                [&](const auto node) { return mesh.global_node(node); });
+        for (const unsigned int node : nodes.places)
+          nodes.are_its_own.push_back(contains(owning[node], other));
+        auto &cells = neighbor.cells;
+        sort_by(cells.places,
+                [&](const auto cell) { return mesh.global_cell(cell); });
+        for (const unsigned int cell : cells.places)
+          cells.are_its_own.push_back(owner(mesh.global_cell(cell)) == other);
+        all_neighbors.push_back(std::move(neighbor));
       }
   }
 

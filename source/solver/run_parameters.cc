@@ -62,6 +62,7 @@ namespace mpm_granular::Solver
     , materials({"sand"})
     , regions({"body"})
     , boundary_conditions({"walls"})
+    , averaging("none")
   {}
 
   template <int dim>
@@ -105,6 +106,10 @@ namespace mpm_granular::Solver
     add_section(prm, "Body force", [&] { body_force.add_parameters(prm); });
     add_section(prm, "Scheme", [&] {
       transfer.add_parameters(prm);
+      averaging.add_parameters(prm,
+                               "Averaging",
+                               "How stresses of points become forces of nodes, "
+                               "and velocities of nodes gradients at points:");
       momentum.add_parameters(prm);
     });
     add_section(prm, "Time step", [&] { time_step.add_parameters(prm); });

@@ -56,6 +56,18 @@ namespace mpm_granular::Solver
         density = std::min(density, law->density());
       return density;
     }
+    /// By material, the volume per mass that may be filled.
+    template <int dim>
+    std::vector<double>
+    largest_specific_volumes(const Laws<dim> &laws)
+    {
+      std::vector<double> volumes;
+      for (const auto *law : laws)
+        volumes.push_back(law->forms_gaps() ?
+                            1. / law->density() :
+                            std::numeric_limits<double>::infinity());
+      return volumes;
+    }
   } // namespace
 
   template <int dim>
@@ -70,9 +82,11 @@ namespace mpm_granular::Solver
     , fields(mesh, partition)
     , boundary(parameters.boundary_conditions, mesh, communicator)
     , momentum(parameters.momentum, mesh, least_density<dim>(laws))
+    , averaging(*parameters.averaging)
     , step_control(parameters.time_step)
-    , sweep(mesh, partition, laws)
+    , sweep(mesh, partition, laws, averaging)
   {
+    averaging.reinit(mesh, partition, largest_specific_volumes<dim>(laws));
     create_points(input_file);
     set_initial_state();
     find_cell_limits();

@@ -11,10 +11,12 @@ namespace mpm_granular::Solver
   Sweep<dim>::Sweep(
     const Mesh::BackgroundMesh<dim>                            &mesh,
     const Mesh::Partition<dim>                                 &partition,
-    const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws)
+    const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws,
+    Transfer::Averaging<dim>                                   &averaging)
     : mesh(mesh)
     , partition(partition)
     , laws(laws)
+    , averaging(averaging)
     , filter(mesh)
   {}
 
@@ -32,12 +34,29 @@ namespace mpm_granular::Solver
 
   template <int dim>
   void
+  Sweep<dim>::clear(Grid::NodalFields<dim> &fields)
+  {
+    fields.clear_cells();
+    averaging.clear();
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::clear_stresses(Grid::NodalFields<dim> &fields)
+  {
+    fields.clear_stresses();
+    averaging.clear_stresses();
+  }
+
+  template <int dim>
+  void
   Sweep<dim>::relocate_and_sum(Points::PointArrays<dim> &points,
                                Grid::NodalFields<dim>   &fields,
                                SweepResult              &result)
   {
     result.relocation += Transfer::relocate(mesh, partition, points, block);
     Transfer::add_mass_and_momentum(mesh, points, block, fields);
+    averaging.add_volumes(points, block, fields);
     result.motion += Points::motion_of(points, block.begin, block.end);
     result.n_runs += block.runs.size();
   }
@@ -73,10 +92,10 @@ namespace mpm_granular::Solver
                       Grid::NodalFields<dim>   &fields)
   {
     SweepResult result;
-    fields.clear_cells();
+    clear(fields);
     for_each_block(points, [&] {
       relocate_and_sum(points, fields, result);
-      Transfer::add_stress(mesh, points, block, fields);
+      averaging.add_stresses(points, block, fields);
     });
     return result;
   }
@@ -89,13 +108,13 @@ namespace mpm_granular::Solver
                       const double              pic_factor)
   {
     SweepResult result;
-    fields.clear_cells();
+    clear(fields);
     for_each_block(points, [&] {
-      Transfer::evaluate_gradients(mesh, fields, points, block);
+      averaging.evaluate(fields, points, block);
       Transfer::move_points(mesh, fields, block, time_step, pic_factor, points);
       result.dissipated += update_stresses(points, time_step);
       relocate_and_sum(points, fields, result);
-      Transfer::add_stress(mesh, points, block, fields);
+      averaging.add_stresses(points, block, fields);
     });
     return result;
   }
@@ -107,11 +126,11 @@ namespace mpm_granular::Solver
                      const double              time_step)
   {
     double dissipated = 0.;
-    fields.clear_stresses();
+    clear_stresses(fields);
     for_each_block(points, [&] {
-      Transfer::evaluate_gradients(mesh, fields, points, block);
+      averaging.evaluate(fields, points, block);
       dissipated += update_stresses(points, time_step);
-      Transfer::add_stress(mesh, points, block, fields);
+      averaging.add_stresses(points, block, fields);
     });
     return dissipated;
   }
@@ -124,7 +143,7 @@ namespace mpm_granular::Solver
                    const double              pic_factor)
   {
     SweepResult result;
-    fields.clear_cells();
+    clear(fields);
     for_each_block(points, [&] {
       Transfer::move_points(mesh, fields, block, time_step, pic_factor, points);
       relocate_and_sum(points, fields, result);
@@ -151,7 +170,7 @@ namespace mpm_granular::Solver
     filter.find_gradients(fields);
 
     double released_energy = 0.;
-    fields.clear_stresses();
+    clear_stresses(fields);
     for_each_block(points, [&] {
       for (const auto &run : block.runs)
         if (law_of(run).has_smoothable_pressure())
@@ -162,7 +181,7 @@ namespace mpm_granular::Solver
                                                           smooth_pressure,
                                                           fraction);
           }
-      Transfer::add_stress(mesh, points, block, fields);
+      averaging.add_stresses(points, block, fields);
     });
     return released_energy;
   }

@@ -1,4 +1,5 @@
 #include <mpm_granular/transfer/points_to_grid.h>
+#include <mpm_granular/transfer/sum_by_cell.h>
 
 namespace mpm_granular::Transfer
 {
@@ -6,40 +7,6 @@ namespace mpm_granular::Transfer
 
   namespace
   {
-    /**
-     * Sums contributions of the points of a block by cell: points that are in
-     * the same cell as the one before add to local sums, which go to the cell
-     * when it changes.
-     *
-     * @tparam Sums what is summed for a cell.
-     * @param contribute contribute(p, sums) adds point p.
-     * @param store store(cell, sums) adds the sums to the cell's.
-     */
-    template <class Sums, int dim, class Contribute, class Store>
-    void
-    sum_by_cell(const Points::PointArrays<dim> &points,
-                const PointBlock<dim>          &block,
-                Contribute                    &&contribute,
-                Store                         &&store)
-    {
-      for (const auto &run : block.runs)
-        {
-          Sums         sums{};
-          unsigned int current = points.cell[run.begin];
-          for (unsigned int p = run.begin; p < run.end; ++p)
-            {
-              if (points.cell[p] != current)
-                {
-                  store(current, sums);
-                  sums    = Sums{};
-                  current = points.cell[p];
-                }
-              contribute(p, sums);
-            }
-          store(current, sums);
-        }
-    }
-
     template <class Cell>
     struct MassAndMomentum
     {

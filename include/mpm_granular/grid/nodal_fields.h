@@ -5,7 +5,7 @@
 
 #include <mpm_granular/core/archive.h>
 #include <mpm_granular/grid/cell_sums.h>
-#include <mpm_granular/grid/shared_nodes.h>
+#include <mpm_granular/grid/shared_sums.h>
 #include <mpm_granular/mesh/background_mesh.h>
 
 #include <utility>
@@ -51,7 +51,9 @@ namespace mpm_granular::Grid
    *
    * On several MPI ranks, each has the cells and nodes around its own points.
    * Cells keep the contributions of these points; nodes get the sums over all
-   * ranks, so the member functions that sum over ranks are collective.
+   * ranks, so the member functions that sum over ranks are collective. The
+   * nodes of the cells that a rank owns are active there if they are on any
+   * rank.
    *
    * "Slot" is the place of a cell or node in the compact arrays.
    */
@@ -121,6 +123,11 @@ namespace mpm_granular::Grid
       visit([&](auto &cells) { sums_of(cells, cell); });
     }
 
+    /// Makes a cell active, with zero sums, after gather_nodes() has made all
+    /// of its nodes active.
+    void
+    activate_late(const unsigned int cell);
+
     bool
     is_active_cell(const unsigned int cell) const
     {
@@ -143,6 +150,17 @@ namespace mpm_granular::Grid
     void
     gather_nodes();
 
+    /**
+     * Finds the active cells that several ranks have points in, and sums values
+     * over the ranks. Cells that this rank owns become active if others have
+     * points in them. After gather_nodes().
+     *
+     * @param values @p n_values numbers per active cell, by slot; gets longer
+     *   with the cells that become active.
+     */
+    void
+    find_shared_cells(std::vector<double> &values, const unsigned int n_values);
+
     /// Sets the internal forces of the nodes from the stresses of the cells of
     /// all ranks: for stresses that are known only after the masses.
     void
@@ -159,7 +177,11 @@ namespace mpm_granular::Grid
                    std::vector<dealii::Tensor<1, dim>>       &result);
 
     /// Sums over the ranks at the active nodes.
-    SharedNodes<dim> shared;
+    SharedSums<dim> shared;
+
+    /// Sums over the ranks in the active cells, which are those of
+    /// find_shared_cells().
+    SharedSums<dim> shared_cells;
 
     unsigned int
     n_active_nodes() const
@@ -202,11 +224,30 @@ namespace mpm_granular::Grid
     memory_consumption() const;
 
   private:
+    /// Completes what gather_nodes() has summed over the ranks.
+    void
+    sum_nodes();
+
+    /// Makes a node active, if it is not.
+    /// @return its slot.
+    unsigned int
+    activate_node(const unsigned int node)
+    {
+      if (!is_active_node(node))
+        {
+          node_slot[node] = active_nodes.size();
+          active_nodes.push_back(node);
+          sums.emplace_back();
+        }
+      return node_slot[node];
+    }
+
     std::variant<ActiveCells<Mesh::SimplexCell<dim>>,
                  ActiveCells<Mesh::BoxCell<dim>>>
       all_cells;
 
     const Mesh::BackgroundMesh<dim> &mesh;
+    const Mesh::Partition<dim>      &partition;
     std::vector<unsigned int>        cell_slot; ///< by flat cell
     std::vector<unsigned int>        node_slot; ///< by node
     std::vector<double>              packed; ///< of nodes, for sums over ranks

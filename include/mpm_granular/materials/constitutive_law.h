@@ -38,6 +38,14 @@ namespace mpm_granular::Materials
     virtual double
     shear_modulus() const = 0; ///< [Pa]
 
+    /// Whether points separate: their volume then has gaps in it that bear no
+    /// stress.
+    virtual bool
+    forms_gaps() const
+    {
+      return false;
+    }
+
     /// Sets the history of points [run.begin, run.end) to what belongs to the
     /// stress they have now.
     virtual void

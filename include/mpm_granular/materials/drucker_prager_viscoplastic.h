@@ -83,6 +83,12 @@ namespace mpm_granular::Materials
     }
 
     bool
+    forms_gaps() const override
+    {
+      return true;
+    }
+
+    bool
     has_smoothable_pressure() const override
     {
       return true;

@@ -37,12 +37,23 @@ namespace mpm_granular::Mesh
   class Partition
   {
   public:
-    /// Another rank and the nodes that both may have points around, in the
-    /// order of their global numbers: the same list on both ranks.
+    /// Nodes or cells that this and another rank may both meet, in the order of
+    /// their global numbers: the same list on both ranks.
+    struct CommonPlaces
+    {
+      std::vector<unsigned int> places;
+
+      /// Whether they belong to the other rank: a cell that it owns, a node of
+      /// such a cell.
+      std::vector<bool> are_its_own;
+    };
+
+    /// Another rank and what both may have points in (cells) or around (nodes).
     struct Neighbor
     {
-      unsigned int              rank;
-      std::vector<unsigned int> nodes;
+      unsigned int rank;
+      CommonPlaces nodes;
+      CommonPlaces cells;
     };
 
     /// Shares the cells out evenly.
@@ -78,6 +89,13 @@ namespace mpm_granular::Mesh
     {
       return mesh.is_distributed() ? cell < mesh.n_own_cells() :
                                      owners[cell] == rank;
+    }
+
+    /// Whether the node is one of a cell that this rank owns.
+    bool
+    is_of_own_cell(const unsigned int node) const
+    {
+      return own_nodes[node];
     }
 
     /// Whether points of this rank may be in the cell: an own or a ghost cell.
@@ -117,6 +135,7 @@ namespace mpm_granular::Mesh
     std::vector<std::uint32_t> owners;    ///< by cell; not if distributed
     std::vector<std::uint32_t> weights;   ///< of all cells of p4est, in order
     std::vector<bool>          reachable; ///< by cell
+    std::vector<bool>          own_nodes; ///< of own cells, by node
     std::vector<Neighbor>      all_neighbors;
   };
 } // namespace mpm_granular::Mesh

@@ -229,6 +229,7 @@ namespace mpm_granular::Solver
     Grid::NodalFields<dim>                               fields;
     Boundary::BoundaryManager<dim>                       boundary;
     Momentum::MomentumBalance<dim>                       momentum;
+    Transfer::Averaging<dim>                            &averaging;
     Time::StepControl                                    step_control;
     Sweep<dim>                                           sweep;
 

@@ -14,6 +14,7 @@
 #include <mpm_granular/points/initial_state.h>
 #include <mpm_granular/points/region.h>
 #include <mpm_granular/time/step_control.h>
+#include <mpm_granular/transfer/averaging.h>
 #include <mpm_granular/transfer/velocity_update.h>
 
 #include <string>
@@ -52,6 +53,7 @@ namespace mpm_granular::Solver
     Boundary::BoundarySettings<dim>              boundary_conditions;
     Momentum::BodyForce<dim>                     body_force;
     Transfer::TransferParameters                 transfer;
+    Parameters::Choice<Transfer::Averaging<dim>> averaging;
     Momentum::MomentumParameters<dim>            momentum;
     Time::StepParameters                         time_step;
     Mesh::PartitionParameters                    partition;

@@ -5,6 +5,7 @@
 #include <mpm_granular/materials/constitutive_law.h>
 #include <mpm_granular/materials/stress_update.h>
 #include <mpm_granular/points/motion.h>
+#include <mpm_granular/transfer/averaging.h>
 #include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/point_block.h>
 #include <mpm_granular/transfer/pressure_filter.h>
@@ -32,10 +33,11 @@ namespace mpm_granular::Solver
   class Sweep
   {
   public:
-    /// @param laws by material index; must live as long.
+    /// @param laws by material index; like @p averaging, must live as long.
     Sweep(const Mesh::BackgroundMesh<dim>                            &mesh,
           const Mesh::Partition<dim>                                 &partition,
-          const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws);
+          const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws,
+          Transfer::Averaging<dim> &averaging);
 
     /// Sums the points as they are to the cells: before the first step, and
     /// whenever the points have changed outside of a step.
@@ -81,6 +83,14 @@ namespace mpm_granular::Solver
     void
     for_each_block(Points::PointArrays<dim> &points, Action &&action);
 
+    /// Forgets all sums over the points.
+    void
+    clear(Grid::NodalFields<dim> &fields);
+
+    /// Forgets the sums of their stresses.
+    void
+    clear_stresses(Grid::NodalFields<dim> &fields);
+
     /// Finds the new cells of the block's points and sums mass and momentum to
     /// them.
     void
@@ -95,6 +105,7 @@ namespace mpm_granular::Solver
     const Mesh::BackgroundMesh<dim>                            &mesh;
     const Mesh::Partition<dim>                                 &partition;
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws;
+    Transfer::Averaging<dim>                                   &averaging;
     Transfer::PointBlock<dim>                                   block;
     Transfer::PressureFilter<dim>                               filter;
     std::vector<double> smooth_pressure; ///< of the points of a run [Pa]

@@ -1,6 +1,6 @@
 #include <deal.II/base/exceptions.h>
 
-#include <mpm_granular/grid/shared_nodes.h>
+#include <mpm_granular/grid/shared_sums.h>
 
 #include <algorithm>
 #include <cstring>
@@ -30,16 +30,24 @@ namespace mpm_granular::Grid
   } // namespace
 
   template <int dim>
-  SharedNodes<dim>::SharedNodes(const Mesh::Partition<dim> &partition)
+  SharedSums<dim>::SharedSums(const Mesh::Partition<dim> &partition,
+                              const Places Neighbor::*places)
     : partition(partition)
+    , of_neighbor(places)
   {}
 
   template <int dim>
-  void
-  SharedNodes<dim>::exchange_active(double *values, const unsigned int n_values)
+  bool
+  SharedSums<dim>::has_come(const Link &link, const std::size_t i) const
   {
-    if (is_serial())
-      return;
+    return word(link.incoming, i / bits_per_word) >> (i % bits_per_word) & 1;
+  }
+
+  template <int dim>
+  void
+  SharedSums<dim>::exchange_active(const std::vector<double> &values,
+                                   const unsigned int         n_values)
+  {
     for (auto &link : links)
       {
         const std::size_t          n = link.slots.size();
@@ -50,7 +58,7 @@ namespace mpm_granular::Grid
             {
               bits[i / bits_per_word] |= std::uint64_t(1)
                                          << (i % bits_per_word);
-              const double *value = values + link.slots[i] * n_values;
+              const auto value = values.begin() + link.slots[i] * n_values;
               link.outgoing.insert(link.outgoing.end(),
                                    value,
                                    value + n_values);
@@ -61,7 +69,30 @@ namespace mpm_granular::Grid
         link.incoming.resize(bits.size() + n * n_values);
       }
     exchange_messages();
+  }
 
+  template <int dim>
+  std::vector<unsigned int>
+  SharedSums<dim>::active_elsewhere() const
+  {
+    std::vector<unsigned int> found;
+    for (unsigned int k = 0; k < links.size(); ++k)
+      for (std::size_t i = 0; i < links[k].slots.size(); ++i)
+        if (links[k].slots[i] == no_slot && has_come(links[k], i))
+          found.push_back(places(k).places[i]);
+    return found;
+  }
+
+  template <int dim>
+  void
+  SharedSums<dim>::sum_first(std::vector<double> &values,
+                             const unsigned int   n_values)
+  {
+    for (const auto &link : links)
+      for (const unsigned int slot : link.slots)
+        if (slot != no_slot)
+          n_active = std::max(n_active, slot + 1);
+    values.resize(n_active * n_values);
     shared.clear();
     is_first.assign(n_active, true);
     for (unsigned int k = 0; k < links.size(); ++k)
@@ -72,27 +103,30 @@ namespace mpm_granular::Grid
         link.common.clear();
         link.place.clear();
         for (std::size_t i = 0; i < n; ++i)
-          if (word(link.incoming, i / bits_per_word) >> (i % bits_per_word) & 1)
-            {
-              if (link.slots[i] != no_slot)
-                {
-                  link.common.push_back(link.slots[i]);
-                  link.place.push_back(place);
-                  shared.push_back(link.slots[i]);
-                  if (partition.neighbors()[k].rank < partition.rank)
-                    is_first[link.slots[i]] = false;
-                }
+          {
+            // The neighbour adopts what is its own and active here.
+            const bool is_sent = has_come(link, i);
+            if (link.slots[i] != no_slot &&
+                (is_sent || places(k).are_its_own[i]))
+              {
+                link.common.push_back(link.slots[i]);
+                link.place.push_back(is_sent ? place : not_sent);
+                shared.push_back(link.slots[i]);
+                if (partition.neighbors()[k].rank < partition.rank)
+                  is_first[link.slots[i]] = false;
+              }
+            if (is_sent)
               place += n_values;
-            }
+          }
       }
     std::sort(shared.begin(), shared.end());
     shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
-    add_up(values, n_values);
+    add_up(values.data(), n_values);
   }
 
   template <int dim>
   void
-  SharedNodes<dim>::sum(double *values, const unsigned int n_values)
+  SharedSums<dim>::sum(double *values, const unsigned int n_values)
   {
     if (is_serial())
       return;
@@ -115,7 +149,7 @@ namespace mpm_granular::Grid
 
   template <int dim>
   void
-  SharedNodes<dim>::sum(std::vector<Tensor<1, dim>> &field)
+  SharedSums<dim>::sum(std::vector<Tensor<1, dim>> &field)
   {
     if (is_serial())
       return;
@@ -131,34 +165,34 @@ namespace mpm_granular::Grid
 
   template <int dim>
   void
-  SharedNodes<dim>::spread(std::vector<double> &values,
-                           const unsigned int   n_values)
+  SharedSums<dim>::spread(std::vector<double> &values,
+                          const unsigned int   n_values)
   {
     if (is_serial())
       return;
     for (unsigned int k = 0; k < links.size(); ++k)
       {
         links[k].outgoing.clear();
-        for (const unsigned int node : partition.neighbors()[k].nodes)
+        for (const unsigned int place : places(k).places)
           links[k].outgoing.insert(links[k].outgoing.end(),
-                                   values.begin() + node * n_values,
-                                   values.begin() + (node + 1) * n_values);
+                                   values.begin() + place * n_values,
+                                   values.begin() + (place + 1) * n_values);
         links[k].incoming.resize(links[k].outgoing.size());
       }
     exchange_messages();
     for (unsigned int k = 0; k < links.size(); ++k)
       {
-        const auto &nodes = partition.neighbors()[k].nodes;
-        for (std::size_t i = 0; i < nodes.size(); ++i)
+        const auto &list = places(k).places;
+        for (std::size_t i = 0; i < list.size(); ++i)
           for (unsigned int v = 0; v < n_values; ++v)
-            values[nodes[i] * n_values + v] +=
+            values[list[i] * n_values + v] +=
               links[k].incoming[i * n_values + v];
       }
   }
 
   template <int dim>
   void
-  SharedNodes<dim>::exchange_messages()
+  SharedSums<dim>::exchange_messages()
   {
     constexpr int            tag = 7411;
     std::vector<MPI_Request> requests(2 * links.size());
@@ -192,7 +226,7 @@ namespace mpm_granular::Grid
 
   template <int dim>
   void
-  SharedNodes<dim>::add_up(double *values, const unsigned int n_values)
+  SharedSums<dim>::add_up(double *values, const unsigned int n_values)
   {
     totals.resize(n_active * n_values);
     for (const unsigned int slot : shared)
@@ -213,9 +247,10 @@ namespace mpm_granular::Grid
           }
         const Link &link = links[k];
         for (std::size_t i = 0; i < link.common.size(); ++i)
-          for (unsigned int v = 0; v < n_values; ++v)
-            totals[link.common[i] * n_values + v] +=
-              link.incoming[link.place[i] + v];
+          if (link.place[i] != not_sent)
+            for (unsigned int v = 0; v < n_values; ++v)
+              totals[link.common[i] * n_values + v] +=
+                link.incoming[link.place[i] + v];
       }
     if (!own_is_added)
       add_own();
@@ -225,6 +260,6 @@ namespace mpm_granular::Grid
                   values + slot * n_values);
   }
 
-  template class SharedNodes<2>;
-  template class SharedNodes<3>;
+  template class SharedSums<2>;
+  template class SharedSums<3>;
 } // namespace mpm_granular::Grid

@@ -1,0 +1,97 @@
+#ifndef mpm_granular_transfer_averaging_h
+#define mpm_granular_transfer_averaging_h
+
+#include <mpm_granular/core/archive.h>
+#include <mpm_granular/core/registry.h>
+#include <mpm_granular/grid/nodal_fields.h>
+#include <mpm_granular/mesh/partition.h>
+#include <mpm_granular/parameters/parameter_group.h>
+#include <mpm_granular/transfer/point_block.h>
+
+#include <vector>
+
+namespace mpm_granular::Transfer
+{
+  /**
+   * How the stresses of points become forces of nodes, and the velocities of
+   * nodes become velocity gradients of points: from the cell of each point
+   * alone, or as means over what is around (section 4 of doc/theory.md).
+   *
+   * In a step: clear(), add_volumes() and add_stresses() of every block of
+   * points, find_weights() on the active nodes, find_forces(); and when the
+   * straining velocities are known, find_gradients() and evaluate() every
+   * block.
+   */
+  template <int dim>
+  class Averaging : public Parameters::ParameterGroup
+  {
+  public:
+    /**
+     * Prepares for a mesh, or for its new cells.
+     *
+     * @param largest_specific_volume by material, volume per mass up to which a
+     *   point counts as filled [m^3/kg]; what is beyond is gaps.
+     * @throws InputError if this cannot be done on such a mesh.
+     */
+    virtual void
+    reinit(const Mesh::BackgroundMesh<dim> &mesh,
+           const Mesh::Partition<dim>      &partition,
+           const std::vector<double>       &largest_specific_volume) = 0;
+
+    /// Forgets the sums over the points.
+    virtual void
+    clear()
+    {}
+
+    /// Forgets the sums of stresses only.
+    virtual void
+    clear_stresses()
+    {}
+
+    /// Adds the volumes of a block's points to the sums of their host cells,
+    /// which are active; with the block's shape values.
+    virtual void
+    add_volumes(const Points::PointArrays<dim> & /*points*/,
+                const PointBlock<dim> & /*block*/,
+                const Grid::NodalFields<dim> & /*fields*/)
+    {}
+
+    /// The same for the stresses of the block's points.
+    virtual void
+    add_stresses(const Points::PointArrays<dim> &points,
+                 const PointBlock<dim>          &block,
+                 Grid::NodalFields<dim>         &fields) = 0;
+
+    /// Finds from the volumes what counts how much.
+    virtual void
+    find_weights(Grid::NodalFields<dim> & /*fields*/)
+    {}
+
+    /// Completes the internal forces of the nodes, which have been summed from
+    /// the cells as add_stresses() left them (T9).
+    virtual void
+    find_forces(Grid::NodalFields<dim> & /*fields*/)
+    {}
+
+    /// Prepares the gradients of NodeMotion::straining.
+    virtual void
+    find_gradients(Grid::NodalFields<dim> & /*fields*/)
+    {}
+
+    /// Sets the velocity gradients of a block.
+    virtual void
+    evaluate(const Grid::NodalFields<dim>   &fields,
+             const Points::PointArrays<dim> &points,
+             PointBlock<dim>                &block) const = 0;
+
+    /// The sums over the points, for checkpoints.
+    virtual void
+    serialize(Core::Archive & /*archive*/)
+    {}
+  };
+
+  template <int dim>
+  using AveragingRegistry = Core::Registry<Averaging<dim>>;
+} // namespace mpm_granular::Transfer
+
+#endif

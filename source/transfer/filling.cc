@@ -1,0 +1,80 @@
+#include <mpm_granular/transfer/filling.h>
+#include <mpm_granular/transfer/sum_by_cell.h>
+
+#include <algorithm>
+
+namespace mpm_granular::Transfer
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  Filling<dim>::reinit(const Mesh::BackgroundMesh<dim> &new_mesh,
+                       const Mesh::Partition<dim>      &new_partition,
+                       const std::vector<double>       &new_largest)
+  {
+    require(new_mesh.cell_kind() == Mesh::CellKind::simplex,
+            "Scheme/Averaging: means over cells or nodes are made on simplices "
+            "only; on hypercubes it must be 'none'.");
+    mesh                    = &new_mesh;
+    partition               = &new_partition;
+    largest_specific_volume = new_largest;
+    clear();
+  }
+
+  template <int dim>
+  void
+  Filling<dim>::add(const Points::PointArrays<dim> &points,
+                    const PointBlock<dim>          &block,
+                    const Grid::NodalFields<dim>   &fields)
+  {
+    using Parts = std::array<double, n_nodes>;
+    parts.resize(fields.active_cells.size() * n_nodes);
+    sum_by_cell<Parts>(
+      points,
+      block,
+      [&](const unsigned int p, Parts &sums) {
+        const double volume =
+          std::min(points.volume[p],
+                   points.mass[p] *
+                     largest_specific_volume[points.material[p]]);
+        for (unsigned int k = 0; k < n_nodes; ++k)
+          sums[k] += volume * block.shape_values[k][p - block.begin];
+      },
+      [&](const unsigned int cell, const Parts &sums) {
+        if (cell == Mesh::no_cell)
+          return;
+        double *total = parts.data() + fields.slot_of_cell(cell) * n_nodes;
+        for (unsigned int k = 0; k < n_nodes; ++k)
+          total[k] += sums[k];
+      });
+  }
+
+  template <int dim>
+  void
+  Filling<dim>::sum(Grid::NodalFields<dim> &fields)
+  {
+    parts.resize(fields.active_cells.size() * n_nodes);
+    fields.find_shared_cells(parts, n_nodes);
+
+    const auto &active = fields.template cells<Cell>();
+    fractions.assign(fields.n_active_nodes(), 0.);
+    for (unsigned int c = 0; c < fields.active_cells.size(); ++c)
+      if (partition->is_owned(fields.active_cells[c]))
+        for (unsigned int k = 0; k < n_nodes; ++k)
+          fractions[active.nodes[c][k]] += parts[c * n_nodes + k];
+    fields.shared.sum(fractions.data(), 1);
+    for (unsigned int i = 0; i < fractions.size(); ++i)
+      fractions[i] /= mesh->node_volume(fields.active_nodes[i]);
+  }
+
+  template <int dim>
+  void
+  Filling<dim>::serialize(Core::Archive &archive)
+  {
+    archive.distributed("grid/filling", parts, n_nodes);
+  }
+
+  template class Filling<2>;
+  template class Filling<3>;
+} // namespace mpm_granular::Transfer
