@@ -62,6 +62,16 @@ namespace mpm_granular::Solver
   }
 
   template <int dim>
+  void
+  Sweep<dim>::add_stresses_again(Points::PointArrays<dim> &points,
+                                 Grid::NodalFields<dim>   &fields)
+  {
+    // The points stay where they are; this finds their shape values.
+    Transfer::relocate(mesh, partition, points, block);
+    averaging.add_stresses(points, block, fields);
+  }
+
+  template <int dim>
   double
   Sweep<dim>::update_stresses(Points::PointArrays<dim> &points,
                               const double              time_step)
@@ -130,7 +140,7 @@ namespace mpm_granular::Solver
     for_each_block(points, [&] {
       averaging.evaluate(fields, points, block);
       dissipated += update_stresses(points, time_step);
-      averaging.add_stresses(points, block, fields);
+      add_stresses_again(points, fields);
     });
     return dissipated;
   }
@@ -181,7 +191,7 @@ namespace mpm_granular::Solver
                                                           smooth_pressure,
                                                           fraction);
           }
-      averaging.add_stresses(points, block, fields);
+      add_stresses_again(points, fields);
     });
     return released_energy;
   }

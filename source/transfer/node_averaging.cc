@@ -259,15 +259,15 @@ namespace mpm_granular::Transfer
                                const Points::PointArrays<dim> &points,
                                PointBlock<dim>                &block) const
   {
-    const auto &cells  = mesh->template cells<Cell>();
-    const auto &active = fields.template cells<Cell>();
+    const auto &cells = mesh->template cells<Cell>();
     block.gradients.clear();
     block.strained.clear();
     for (const auto &run : block.runs)
       {
-        const unsigned int index = points.cell[run.begin];
-        const Cell        &cell  = cells[index];
-        const auto        &nodes = active.nodes[fields.slot_of_cell(index)];
+        const Cell                       &cell = cells[points.cell[run.begin]];
+        std::array<unsigned int, n_nodes> nodes;
+        for (unsigned int k = 0; k < n_nodes; ++k)
+          nodes[k] = fields.slot_of(cell.node[k]);
 
         // L(x) = value + slope_d (x - x_0)_d
         std::array<double, dim * dim>                  value{};

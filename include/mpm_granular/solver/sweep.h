@@ -98,6 +98,12 @@ namespace mpm_granular::Solver
                      Grid::NodalFields<dim>   &fields,
                      SweepResult              &result);
 
+    /// Sums the stresses of the block's points, which have not moved, to their
+    /// cells.
+    void
+    add_stresses_again(Points::PointArrays<dim> &points,
+                       Grid::NodalFields<dim>   &fields);
+
     /// Updates the stresses of the block, law by law.
     double
     update_stresses(Points::PointArrays<dim> &points, const double time_step);
