@@ -20,7 +20,7 @@ namespace mpm_granular::Solver
       step_control.next_step(step_limits(), current_time, next_event); // (T25)
 
     fields.gather_nodes();          // (T9)
-    averaging.find_weights(fields); // (T30)
+    averaging.find_weights(fields); // (T40)
     smooth_pressures();             // (T29)
     boundary.update(fields, current_time, dt);
     boundary.add_tractions(fields, current_time);                // (T10)
@@ -73,11 +73,11 @@ namespace mpm_granular::Solver
       {
         double dissipated = 0.;
         momentum.map_velocity(fields, step.constraints); // (T15)
-        averaging.find_gradients(fields);                // (T33)
+        averaging.find_gradients(fields);                // (T43)
         on_this_rank(
           [&] { dissipated = sweep.strain(arrays, fields, step.time_step); });
         fields.gather_forces();         // (T9)
-        averaging.find_forces(fields);  // (T31, T32)
+        averaging.find_forces(fields);  // (T41, T42)
         momentum.advance(fields, step); // (T12)
         on_this_rank([&] {
           result = sweep.move(arrays, fields, step.time_step, step.pic_factor);
@@ -86,13 +86,13 @@ namespace mpm_granular::Solver
       }
     else
       {
-        averaging.find_forces(fields);  // (T31, T32)
+        averaging.find_forces(fields);  // (T41, T42)
         momentum.advance(fields, step); // (T12)
         if (order == StressOrder::update_stress_last)
           momentum.strain_with_velocity(fields); // (T15)
         else
           momentum.remap_velocity(fields, step); // (T16)
-        averaging.find_gradients(fields);        // (T33)
+        averaging.find_gradients(fields);        // (T43)
         on_this_rank([&] {
           result =
             sweep.advance(arrays, fields, step.time_step, step.pic_factor);

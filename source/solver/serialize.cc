@@ -65,6 +65,7 @@ namespace mpm_granular::Solver
           reinit_on_mesh();
         points.attach();
         fields.serialize(archive);
+        averaging.serialize(archive);
         serialize_summed(archive, "kinetic_energy", motion.kinetic_energy);
         serialize_summed(archive, "speed_squared", motion.speed_squared);
         serialize_summed(archive, "n_runs", n_runs);

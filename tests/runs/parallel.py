@@ -54,6 +54,8 @@ CASES = [
     ("space, hexahedra, near-consistent, USF", "wall_hexahedra.prm",
      [*CUBES, "End time=0.05", "Scheme/Mass matrix=near-consistent",
       "Scheme/Stress order=USF"]),
+    ("plane, averages around nodes", "wall_2d.prm",
+     ["End time=0.04", "Scheme/Averaging=nodes"]),
     ("plane, USF", "wall_2d.prm", ["End time=0.02", "Scheme/Stress order=USF"]),
     ("space, METIS, USL", "wall.prm",
      [COARSE, "End time=0.02", METIS, "Scheme/Stress order=USL"])]

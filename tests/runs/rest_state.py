@@ -41,6 +41,11 @@ for dim in (2, 3):
         checks.that(result["time"][-1] == 0.2,
                     f"{dim}D, {kind}: ends at the end time")
 
+result = run(column(2), "Scheme/Averaging=cells")
+checks.that(result.exit_code == 0 and max(result["kinetic_energy"]) <
+            1e-24 * result["potential_energy"][0],
+            "at rest with means of cells", result.text)
+
 spacing = column(2).replace("set Points per cell = 4",
                             "set Layout = lattice\nset Spacing = 0.1, 0.1")
 result = run(spacing)

@@ -121,9 +121,10 @@ def on_demand():
 interrupt("2D", 2)
 interrupt("3D", 3)
 SCHEMES = (["Scheme/Mass matrix=near-consistent"],
+           ["Scheme/Averaging=nodes", "Scheme/Pressure filter rate=100"],
            ["Scheme/Stress order=USF"],
            ["Time step/Type=fixed", "Time step/Fixed step=2e-4"])
-for scheme in SCHEMES[:1] if IS_DEBUG else SCHEMES:
+for scheme in SCHEMES[:2] if IS_DEBUG else SCHEMES:
     interrupt(" ".join(scheme), 2, tuple(scheme))
 if os.environ.get("MPM_MPIEXEC"):
     RANKS = [(2, "simplices"), (3, "hypercubes")]

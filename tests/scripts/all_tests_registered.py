@@ -39,7 +39,7 @@ for room in sorted(path for path in source.iterdir() if path.is_dir()):
             problems.append(f"{room / base}.output: name its ranks as well, mpirun=1")
         expected.add(f"{room.name}/{base}{ranks}{threads}.{build_type}")
 
-    for path in sorted(room.iterdir()):
+    for path in sorted(path for path in room.iterdir() if path.is_file()):
         base, *tags = path.name.split(".")[:-1]
         if {"debug", "release"} & set(tags) - {build_type}:
             continue

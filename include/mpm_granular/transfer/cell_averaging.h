@@ -8,7 +8,7 @@ namespace mpm_granular::Transfer
 {
   /**
    * In filled surroundings the mean stress of a cell's points acts on the whole
-   * volume of the cell, however many points it holds at the time (T31). A point
+   * volume of the cell, however many points it holds at the time (T41). A point
    * that crosses from one cell into another then changes their mean stresses
    * only, not the volumes they act on.
    */

@@ -12,7 +12,7 @@ namespace mpm_granular::Transfer
 {
   /**
    * How far the cells of a mesh of simplices, and the surroundings of its
-   * nodes, are filled with material (T30). The gaps between points that have
+   * nodes, are filled with material (T40). The gaps between points that have
    * separated do not count.
    *
    * Use: clear(), add() every block of points, sum().

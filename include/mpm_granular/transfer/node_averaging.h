@@ -14,7 +14,7 @@ namespace mpm_granular::Transfer
   /**
    * Velocity gradients are means over the cells around each node, interpolated
    * to the points, and forces are what does the same work: the stresses of the
-   * points go to the nodes and from there to the cells around (T32, T33). Both
+   * points go to the nodes and from there to the cells around (T42, T43). Both
    * are continuous where points cross cells. All cells whose nodes have points
    * around them take part, also those without points of their own.
    *
