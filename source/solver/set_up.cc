@@ -77,7 +77,7 @@ namespace mpm_granular::Solver
     create_points(input_file);
     set_initial_state();
     if (parameters.equilibrium.is_wanted)
-      current_time = -parameters.equilibrium.maximum_time;
+      prepare_settling();
     find_cell_limits();
     if (partition.n_ranks > 1)
       redistribute();

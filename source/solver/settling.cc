@@ -14,6 +14,29 @@ namespace mpm_granular::Solver
 
   template <int dim>
   void
+  MPMSolver<dim>::prepare_settling()
+  {
+    current_time = -parameters.equilibrium.maximum_time;
+
+    // Where a point lies on a face the smallest motion changes its gradients,
+    // and no balance lasts. Drawn towards the centres of their cells all the
+    // same part of the way, points still integrate what is linear.
+    constexpr double part   = 1e-3;
+    auto            &arrays = points.arrays();
+    for (unsigned int p = 0; p < arrays.size(); ++p)
+      {
+        const auto     nodes = mesh.nodes(arrays.cell[p]);
+        Tensor<1, dim> center;
+        for (const unsigned int node : nodes)
+          center += mesh.node_position(node);
+        center /= double(nodes.size());
+        for (unsigned int d = 0; d < dim; ++d)
+          arrays.position[d][p] += part * (center[d] - arrays.position[d][p]);
+      }
+  }
+
+  template <int dim>
+  void
   MPMSolver<dim>::settle_one_step(const double    next_event,
                                   const Requests &requests)
   {

@@ -227,6 +227,8 @@ namespace mpm_granular::Solver
     void
     set_initial_state();
     void
+    prepare_settling();
+    void
     find_cell_limits();
     void
     smooth_pressures();
