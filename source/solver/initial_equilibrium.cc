@@ -1,6 +1,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <mpm_granular/output/number_text.h>
+#include <mpm_granular/parameters/documentation_handler.h>
 #include <mpm_granular/parameters/pattern_text.h>
 #include <mpm_granular/solver/initial_equilibrium.h>
 
@@ -26,21 +27,25 @@ namespace mpm_granular::Solver
                       "loads of time 0 are found before the start. Points stay "
                       "where they were filled; the rows of the stage have "
                       "negative times.");
-    prm.add_parameter("Force tolerance",
-                      force_tolerance,
-                      "Largest norm of the nodal forces out of balance over "
-                      "that of the weights or internal forces. Units: -.",
-                      Parameters::positive_number());
-    prm.add_parameter("Energy tolerance",
-                      energy_tolerance,
-                      "Largest kinetic over elastic energy. Units: -.",
-                      Parameters::positive_number());
-    prm.add_parameter("Maximum time",
-                      maximum_time,
-                      "The stage lasts that long at most; the run ends with "
-                      "exit code 2 if there is no equilibrium then. Units: s.",
-                      Parameters::positive_number());
-    damping.add_parameters(prm);
+    const std::string value = is_wanted ? "true" : "false";
+    Parameters::only_with(prm, "Enabled", "true", value, [&] {
+      prm.add_parameter("Force tolerance",
+                        force_tolerance,
+                        "Largest norm of the nodal forces out of balance over "
+                        "that of the weights or internal forces. Units: -.",
+                        Parameters::positive_number());
+      prm.add_parameter("Energy tolerance",
+                        energy_tolerance,
+                        "Largest kinetic over elastic energy. Units: -.",
+                        Parameters::positive_number());
+      prm.add_parameter(
+        "Maximum time",
+        maximum_time,
+        "The stage lasts that long at most; the run ends with "
+        "exit code 2 if there is no equilibrium then. Units: s.",
+        Parameters::positive_number());
+      damping.add_parameters(prm);
+    });
   }
 
   template <int dim>

@@ -5,9 +5,10 @@ cells, by some mm/s, and the wall has to stop its lower side again."""
 
 import itertools
 import math
+import os
 
-from _case import (ELASTIC, KINDS, Checks, body, boundaries, box, points_per_cell,
-                   run)
+from _case import (ELASTIC, KINDS, Checks, Folder, Result, body, boundaries, box,
+                   points_per_cell, run)
 
 checks = Checks()
 GRAVITY, END = 9.81, 0.5
@@ -70,4 +71,37 @@ for dim, kind in itertools.product((2, 3), KINDS):
     # Its elastic shear under its weight: some rho g sin(a) h^2 / (2 G).
     checks.that(result.exit_code == 0 and abs(path) < 1e-4,
                 f"{dim}D, {kind}: stays", str(path))
+
+# Shared nodes have complete forces when the walls act: any number of ranks.
+if os.environ.get("MPM_MPIEXEC"):
+    for dim, kind in ((2, "simplices"), (3, "hypercubes")):
+        text = block(dim, kind, math.radians(30), .3)
+        one = run(text, "End time=0.2")
+        with Folder() as folder:
+            (folder.path / "case.prm").write_text(text, encoding="utf8")
+            process = folder.run(
+                "case.prm", "--output", "out", "--set=End time=0.2",
+                before=[os.environ["MPM_MPIEXEC"], "-np", "3"])
+            three = Result(process, folder.path / "out")
+        difference = abs(three.last("center_x") - one.last("center_x"))
+        print(f"{dim}D, {kind}: three ranks differ by {difference:.1e} m")
+        checks.that(three.exit_code == 0 and difference < 1e-9,
+                    f"{dim}D, {kind}: three ranks", three.text[-2000:])
+
+# The ledger: friction takes what weight gives and motion does not have.
+result = run(block(2, "simplices", math.radians(30), .3), "Body force/Time factor=1",
+             "End time=0.3")
+given = result["potential_energy"][0] - result.last("potential_energy")
+taken = given - result.last("kinetic_energy")
+print(f"friction takes {-result.last('boundary_work') / given:.4f} of the weight's "
+      f"work, rigid {.3 / math.tan(math.radians(30)):.4f}; closure "
+      f"{result.last('closure'):.1e}")
+checks.that(abs(result.last("boundary_work") + taken) < .02 * taken and
+            abs(result.last("closure")) < 1e-3, "ledger",
+            f"{result.last('boundary_work')} and {-taken}")
+
+for setting in ("Scheme/Mass matrix=near-consistent", "Scheme/Stress order=USF"):
+    refused = run(block(2, "simplices", .5, .3), setting)
+    checks.that(refused.exit_code == 1 and "Coulomb friction" in refused.text,
+                setting, refused.text)
 checks.exit()

@@ -103,6 +103,10 @@ ground = boundaries(ground=("clamp", ["y_min"]), sides=("roller", ["x_min", "x_m
 is_at_rest("2D, ground at 15 degrees", run(
     column(2, "simplices", lattice(2, .037), ground),
     "Body force/Gravity=2.539, -9.4757"))
+is_at_rest("2D, bin with rough walls that only push", run(
+    column(2, "simplices", lattice(2, .037), boundaries(
+        walls=("Coulomb friction", ["x_min", "x_max", "y_min"]),
+        top=("free", ["y_max"])))))
 if not IS_DEBUG:
     is_at_rest("2D, near-consistent mass, USL", run(
         column(2, "simplices", lattice(2, .037)),
