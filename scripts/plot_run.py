@@ -11,6 +11,8 @@ writes into RUNFOLDER/pictures:
     perspective.png      six instants of a body in space
     energies.png         all terms of the energy balance over time
     front.png            front and height over time
+    settling.png         how the initial equilibrium was reached, if that was a
+                         stage
 
 and with two folders also, into the pictures of the first one,
 compare_stages.png and compare_front.png, say the wall in 2D beside 3D.
@@ -44,6 +46,8 @@ def plot(run):
         perspective.perspective(run, strain, "perspective.png")
     curves.energies(run)
     curves.front([run], run.folder, "front.png")
+    if len(run.stage) > 1:
+        curves.settling(run)
 
 
 def main():

@@ -30,6 +30,8 @@ def energies(run):
               ("transfer_loss", "transfer", "transfer loss")]
     if numpy.any(table["filter_loss"]):
         shares.append(("filter_loss", "filter", "pressure filter"))
+    if numpy.any(table["damping"]):
+        shares.append(("damping", "damping", "damping"))
     upper.stackplot(time, [numpy.maximum(table[name], 0.) / scale
                            for name, _, _ in shares],
                     colors=[COLOURS[colour] for _, colour, _ in shares],
@@ -62,6 +64,21 @@ def energies(run):
     lower.set_xlabel("time [s]")
     time_range(lower, table)
     save(figure, run.folder, "energies.png")
+
+
+def settling(run):
+    """How motion dies out in the stage that finds the initial equilibrium."""
+    stage = run.stage[run.stage["elastic_energy"] > 0.]
+    ratio = stage["kinetic_energy"] / stage["elastic_energy"]
+    figure, axes = pyplot.subplots(layout="constrained", figsize=(7.2, 3.6))
+    axes.semilogy(stage["time"] - run.stage["time"][0],
+                  numpy.where(ratio > 0., ratio, numpy.nan),
+                  color=COLOURS["kinetic"], lw=1.5)
+    axes.set_xlabel("time since the start of the stage [s]")
+    axes.set_ylabel("kinetic over elastic energy")
+    axes.set_title("Initial equilibrium", loc="left")
+    axes.grid(color="0.9", lw=0.6)
+    save(figure, run.folder, "settling.png")
 
 
 def front(runs, folder, name):

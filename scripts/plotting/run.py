@@ -66,11 +66,15 @@ class Run:
             self.manifest = json.loads(
                 (self.folder / "manifest.json").read_text())
             self.parameters = read_parameters(self.folder / "parameters.prm")
-            self.table = numpy.genfromtxt(self.folder / "observables.csv",
-                                          delimiter=",", names=True, ndmin=1)
+            rows = numpy.genfromtxt(self.folder / "observables.csv",
+                                    delimiter=",", names=True, ndmin=1)
             record = xml.etree.ElementTree.parse(self.folder / "points.pvd")
         except (ValueError, xml.etree.ElementTree.ParseError) as error:
             raise NotARun(f"'{folder}' cannot be read: {error}") from error
+        # Rows of the stage that finds the initial equilibrium come before time 0.
+        self.stage = rows[rows["time"] < 0.]
+        self.table = rows if len(self.stage) == len(rows) else rows[
+            len(self.stage):]
         self.frames = [(float(entry.get("timestep")), entry.get("file"))
                        for entry in record.iter("DataSet")]
         if not self.frames or self.table.size == 0:

@@ -23,7 +23,8 @@ pyplot.rcParams.update({
 # Distinct for colour-blind readers (Okabe and Ito).
 COLOURS = {"kinetic": "#D55E00", "elastic": "#56B4E9", "potential": "#0072B2",
            "dissipated": "#E69F00", "transfer": "#CC79A7", "boundary":
-           "#009E73", "filter": "#F0E442", "total": "#000000"}
+           "#009E73", "filter": "#F0E442", "damping": "#999999",
+           "total": "#000000"}
 
 
 def round_up(value):

@@ -102,6 +102,8 @@ namespace mpm_granular::Boundary
         for (const auto id : ids)
           without_condition.erase(id);
 
+        active.has_contact =
+          active.has_contact || condition.contact_friction().has_value();
         std::map<unsigned int, std::vector<Tensor<1, dim>>> normals;
         for (const auto &face : mesh.boundary_faces())
           if (ids.count(face.boundary) > 0)
@@ -136,6 +138,8 @@ namespace mpm_granular::Boundary
                     (rest * constraint.direction[k]) * constraint.direction[k];
                 if (rest.norm() > independent)
                   {
+                    constraint.contact_friction[constraint.n_directions] =
+                      condition.contact_friction();
                     constraint.direction[constraint.n_directions++] =
                       rest / rest.norm();
                     entry.directions.push_back({&condition, given});
@@ -166,6 +170,23 @@ namespace mpm_granular::Boundary
                                const double                  time,
                                const double                  time_step)
   {
+    find_active(fields,
+                [&](Node &node) { set_targets(node, time, time_step); });
+  }
+
+  template <int dim>
+  void
+  BoundaryManager<dim>::update_at_rest(const Grid::NodalFields<dim> &fields)
+  {
+    find_active(fields, [](Node &node) { node.constraint.target.fill(0.); });
+  }
+
+  template <int dim>
+  template <class SetTargets>
+  void
+  BoundaryManager<dim>::find_active(const Grid::NodalFields<dim> &fields,
+                                    SetTargets                  &&set_targets)
+  {
     active.nodes.clear();
     for (unsigned int slot = 0; slot < fields.n_active_nodes(); ++slot)
       {
@@ -174,7 +195,7 @@ namespace mpm_granular::Boundary
           continue;
         Node &node = nodes[entry];
         if (node.moves)
-          set_targets(node, time, time_step);
+          set_targets(node);
         active.nodes.push_back(node.constraint);
         active.nodes.back().slot = slot;
       }

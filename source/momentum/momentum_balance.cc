@@ -1,5 +1,8 @@
 #include <mpm_granular/momentum/momentum_balance.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace mpm_granular::Momentum
 {
   using namespace dealii;
@@ -22,6 +25,19 @@ namespace mpm_granular::Momentum
                       "node takes no force: its acceleration would be huge and "
                       "without meaning. Units: -.",
                       Patterns::Double(0., 1.));
+    prm.add_parameter("Mass scaling",
+                      mass_scaling,
+                      "Factor on inertia, not on weight; the time step grows "
+                      "with its root. For quasi-static runs, which need a "
+                      "'Damping'. Units: -.",
+                      Patterns::Double(1.));
+  }
+
+  double
+  ForceBalance::ratio() const
+  {
+    const double scale = std::max(external, internal);
+    return scale > 0. ? std::sqrt(rest / scale) : 0.;
   }
 
   template <int dim>
@@ -39,6 +55,7 @@ namespace mpm_granular::Momentum
     : mass(*parameters.mass_matrix)
     , mesh(mesh)
     , least_density(parameters.mass_cut_off * density)
+    , mass_scaling(parameters.mass_scaling)
   {
     reinit();
   }
@@ -84,17 +101,25 @@ namespace mpm_granular::Momentum
   MomentumBalance<dim>::advance(Grid::NodalFields<dim> &fields,
                                 const StepInput<dim>   &step)
   {
-    const unsigned int n = fields.n_active_nodes();
+    const unsigned int n        = fields.n_active_nodes();
+    const double       duration = step.time_step / mass_scaling; // (T33)
     old_momentum.resize(n);
     scratch.resize(n);
     for (unsigned int i = 0; i < n; ++i)
       {
         old_momentum[i] = fields.sums[i].momentum;
-        scratch[i] = old_momentum[i] + step.time_step * force(fields, step, i);
+        scratch[i]      = old_momentum[i] + duration * force(fields, step, i);
       }
+    add_damping(step);
     mass.assemble(fields);
     mass.solve(old_momentum, nullptr, old_velocity);
-    mass.solve(scratch, &step.constraints, new_velocity);
+    if (step.constraints.has_contact)
+      {
+        mass.solve(scratch, nullptr, new_velocity);
+        contact = step.constraints.resolve_contact(new_velocity); // (T34)
+      }
+    else
+      mass.solve(scratch, &step.constraints, new_velocity);
 
     const double c = step.pic_factor;
     change.resize(n);
@@ -104,6 +129,22 @@ namespace mpm_granular::Momentum
         fields.motion[i].velocity = new_velocity[i];
         fields.motion[i].change   = change[i];
       }
+  }
+
+  template <int dim>
+  void
+  MomentumBalance<dim>::add_damping(const StepInput<dim> &step)
+  {
+    damping_impulse.clear();
+    if (step.damping == nullptr)
+      return;
+    NodalVectors<dim> impulse(scratch.size());
+    for (unsigned int i = 0; i < scratch.size(); ++i)
+      impulse[i] = scratch[i] - old_momentum[i];
+    step.damping->compute(
+      step.time_step, step.constraints, old_momentum, impulse, damping_impulse);
+    for (unsigned int i = 0; i < scratch.size(); ++i)
+      scratch[i] += damping_impulse[i];
   }
 
   template <int dim>
@@ -127,7 +168,7 @@ namespace mpm_granular::Momentum
     for (unsigned int i = 0; i < n; ++i)
       scratch[i] = (1. - step.pic_factor) * old_momentum[i];
     fields.add_mass_times(change, scratch);
-    mass.solve(scratch, &step.constraints, change);
+    mass.solve(scratch, &holding(step), change);
     for (unsigned int i = 0; i < n; ++i)
       fields.motion[i].straining = change[i];
   }
@@ -144,17 +185,45 @@ namespace mpm_granular::Momentum
       {
         if (!fields.shared.counts(i))
           continue;
-        const auto          &node    = fields.sums[i];
-        const Tensor<1, dim> impulse = new_momentum[i] - old_momentum[i];
-        const Tensor<1, dim> mean    = .5 * (old_velocity[i] + new_velocity[i]);
+        const auto          &node = fields.sums[i];
+        const Tensor<1, dim> impulse =
+          mass_scaling * (new_momentum[i] - old_momentum[i]);
+        const Tensor<1, dim> mean = .5 * (old_velocity[i] + new_velocity[i]);
         const Tensor<1, dim> others =
           step.time_step * (force(fields, step, i) - node.load);
         work.total += impulse * mean;
         work.boundary += (impulse - others) * mean;
+        work.weight += step.time_step * node.mass * (step.gravity * mean);
+        if (!damping_impulse.empty())
+          work.damping += mass_scaling * (damping_impulse[i] * mean);
         work.straining_loss += .5 * step.time_step * node.force *
                                (fields.motion[i].straining - new_velocity[i]);
       }
+    work.boundary -= work.damping;
     return work;
+  }
+
+  template <int dim>
+  ForceBalance
+  MomentumBalance<dim>::force_balance(const Grid::NodalFields<dim> &fields,
+                                      const StepInput<dim>         &step) const
+  {
+    NodalVectors<dim> rest(fields.n_active_nodes());
+    for (unsigned int i = 0; i < rest.size(); ++i)
+      rest[i] = force(fields, step, i);
+    holding(step).project(rest);
+
+    ForceBalance balance;
+    for (unsigned int i = 0; i < rest.size(); ++i)
+      if (fields.shared.counts(i))
+        {
+          const auto &node = fields.sums[i];
+          balance.rest += rest[i].norm_square();
+          balance.external +=
+            (node.mass * step.gravity + node.load).norm_square();
+          balance.internal += node.force.norm_square();
+        }
+    return balance;
   }
 
   template struct MomentumParameters<2>;

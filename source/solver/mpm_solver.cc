@@ -29,18 +29,28 @@ namespace mpm_granular::Solver
                                         parameters.transfer.pic_factor(dt),
                                         parameters.body_force.gravity_at(
                                           current_time),
-                                        boundary.constraints()};
+                                        boundary.constraints(),
+                                        damping()};
     move_and_strain(step); // (T11) to (T24)
-    agree_on_state(requests);
-
-    ++n_steps;
     since_filter += dt;
-    last_time_step = dt;
-    current_time   = std::abs(next_event - current_time - dt) < 1e-12 * dt ?
-                       next_event :
-                       current_time + dt;
-    balance();
+    finish_step(dt, next_event, requests);
     keep_order();
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::finish_step(const double    time_step,
+                              const double    next_event,
+                              const Requests &requests)
+  {
+    agree_on_state(requests);
+    ++n_steps;
+    last_time_step      = time_step;
+    const double missed = next_event - current_time - time_step;
+    current_time        = std::abs(missed) < 1e-12 * time_step ?
+                            next_event :
+                            current_time + time_step;
+    balance();
   }
 
   template <int dim>
@@ -73,11 +83,11 @@ namespace mpm_granular::Solver
       {
         double dissipated = 0.;
         momentum.map_velocity(fields, step.constraints); // (T15)
-        averaging.find_gradients(fields);                // (T43)
+        averaging.find_gradients(fields);                // (T42)
         on_this_rank(
           [&] { dissipated = sweep.strain(arrays, fields, step.time_step); });
         fields.gather_forces();         // (T9)
-        averaging.find_forces(fields);  // (T41, T42)
+        averaging.find_forces(fields);  // (T41, T43)
         momentum.advance(fields, step); // (T12)
         on_this_rank([&] {
           result = sweep.move(arrays, fields, step.time_step, step.pic_factor);
@@ -86,13 +96,13 @@ namespace mpm_granular::Solver
       }
     else
       {
-        averaging.find_forces(fields);  // (T41, T42)
+        averaging.find_forces(fields);  // (T41, T43)
         momentum.advance(fields, step); // (T12)
         if (order == StressOrder::update_stress_last)
           momentum.strain_with_velocity(fields); // (T15)
         else
           momentum.remap_velocity(fields, step); // (T16)
-        averaging.find_gradients(fields);        // (T43)
+        averaging.find_gradients(fields);        // (T42)
         on_this_rank([&] {
           result =
             sweep.advance(arrays, fields, step.time_step, step.pic_factor);
@@ -105,9 +115,8 @@ namespace mpm_granular::Solver
   }
 
   template <int dim>
-  template <class Action>
   void
-  MPMSolver<dim>::on_this_rank(Action &&action)
+  MPMSolver<dim>::on_this_rank(const std::function<void()> &action)
   {
     if (!error.empty())
       return;
@@ -122,17 +131,20 @@ namespace mpm_granular::Solver
   }
 
   template <int dim>
-  void
+  Momentum::GridWork
   MPMSolver<dim>::update_ledger(const Momentum::StepInput<dim> &step,
                                 const SweepResult              &sweep_result)
   {
     const Momentum::GridWork work = momentum.work(fields, step);
     ledger.dissipated += sweep_result.dissipated;
     ledger.boundary_work += work.boundary;
-    ledger.transfer_loss += motion.kinetic_energy + work.total -
-                            sweep_result.motion.kinetic_energy +
-                            work.straining_loss; // (T28)
+    ledger.damping -= work.damping;
+    ledger.transfer_loss +=
+      parameters.momentum.mass_scaling *
+        (motion.kinetic_energy - sweep_result.motion.kinetic_energy) +
+      work.total + work.straining_loss; // (T28)
     motion = sweep_result.motion;
+    return work;
   }
 
   template <int dim>
@@ -198,6 +210,7 @@ namespace mpm_granular::Solver
         report.least_altitude =
           std::min(report.least_altitude, cell_limits[cell].altitude);
       }
+    report.critical_step *= std::sqrt(parameters.momentum.mass_scaling);
     report.motion          = motion;
     report.n_points        = points.arrays().size();
     report.is_out_of_reach = is_out_of_reach;
@@ -276,12 +289,13 @@ namespace mpm_granular::Solver
             n_steps,
             last_time_step,
             n_lost,
-            parameters.body_force.gravity_at(current_time),
+            parameters.body_force.gravity_at(load_time()),
             points.arrays(),
             mesh,
             laws,
             ledger,
-            partition.communicator};
+            partition.communicator,
+            parameters.momentum.mass_scaling};
   }
 
   template <int dim>

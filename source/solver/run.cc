@@ -1,8 +1,8 @@
 #include <deal.II/base/mpi.h>
 
+#include <mpm_granular/core/exact_text.h>
 #include <mpm_granular/core/signals.h>
 #include <mpm_granular/output/number_text.h>
-#include <mpm_granular/output/progress.h>
 #include <mpm_granular/solver/run.h>
 
 #include <algorithm>
@@ -205,12 +205,17 @@ namespace mpm_granular::Solver
   Outcome
   Run<dim>::compute()
   {
-    if (info.checkpoint.empty())
+    const bool starts  = info.checkpoint.empty() || solver.is_settling();
+    Outcome    outcome = solver.is_settling() ? settle() : Outcome::finished;
+    if (outcome == Outcome::finished)
       {
-        write_observables();
-        write_fields();
+        if (starts)
+          {
+            write_observables();
+            write_fields();
+          }
+        outcome = take_steps();
       }
-    const Outcome outcome = take_steps();
     // Before the last output, which the run has only because it ends here.
     if ((outcome == Outcome::interrupted || parameters.checkpoint.at_end) &&
         checkpoint_step != solver.step())
@@ -220,10 +225,53 @@ namespace mpm_granular::Solver
 
   template <int dim>
   Outcome
+  Run<dim>::settle()
+  {
+    const auto      &equilibrium = parameters.equilibrium;
+    const double     start       = -equilibrium.maximum_time;
+    Output::Progress progress(console,
+                              start,
+                              0.,
+                              parameters.output.progress_interval);
+    Output::Schedule rows(parameters.output.observables_interval, start);
+    rows.passes(solver.time());
+    if (info.checkpoint.empty())
+      write_observables();
+    while (!equilibrium.is_reached(solver.last_unrest()))
+      {
+        if (!solver.is_settling())
+          throw ComputationError(
+            "No initial equilibrium within 'Initial equilibrium/Maximum time' "
+            "= " +
+            Core::exact_text(equilibrium.maximum_time) +
+            " s: " + solver.last_unrest().text() +
+            ". Is the body stable? Otherwise try a longer time or larger "
+            "tolerances.");
+        if (solver.requests().stop)
+          return Outcome::interrupted;
+        {
+          Output::Timings::Scope timer(timings, in_steps);
+          solver.settle_one_step(std::min(0., rows.next()), requests_now());
+        }
+        finish_step(progress, rows);
+      }
+    if (last_row != solver.time())
+      write_observables();
+    console.say("Initial equilibrium after " +
+                Output::count_text(solver.step()) + " steps, " +
+                Output::short_text(solver.time() - start) +
+                " s: " + solver.last_unrest().text() + ".");
+    solver.start_from_rest();
+    checkpoint_trigger.start(solver.time());
+    return Outcome::finished;
+  }
+
+  template <int dim>
+  Outcome
   Run<dim>::take_steps()
   {
     Output::Progress progress(console,
-                              before.time,
+                              std::max(before.time, 0.),
                               parameters.end_time,
                               parameters.output.progress_interval);
     while (solver.time() < parameters.end_time)
@@ -233,28 +281,40 @@ namespace mpm_granular::Solver
           return Outcome::interrupted;
         {
           Output::Timings::Scope timer(timings, in_steps);
-          solver.advance_one_step(next_event(),
-                                  {Core::stop_requested(),
-                                   checkpoint_trigger.is_asked_for()});
+          solver.advance_one_step(next_event(), requests_now());
         }
-        n_point_steps += solver.n_points();
-        if (parameters.output.observables_interval == 0. ||
-            observable_times.passes(solver.time()))
-          write_observables();
         if (field_times.passes(solver.time()))
           write_fields();
-        if (checkpoint_trigger.is_due(solver.step(),
-                                      solver.time(),
-                                      solver.requests().checkpoint))
-          write_checkpoint();
-        if (is_first_rank && progress.is_due())
-          progress.report({solver.time(),
-                           solver.time_step(),
-                           solver.step(),
-                           n_point_steps,
-                           solver.kinetic_energy()});
+        finish_step(progress, observable_times);
       }
     return Outcome::finished;
+  }
+
+  template <int dim>
+  Requests
+  Run<dim>::requests_now() const
+  {
+    return {Core::stop_requested(), checkpoint_trigger.is_asked_for()};
+  }
+
+  template <int dim>
+  void
+  Run<dim>::finish_step(Output::Progress &progress, Output::Schedule &rows)
+  {
+    n_point_steps += solver.n_points();
+    if (parameters.output.observables_interval == 0. ||
+        rows.passes(solver.time()))
+      write_observables();
+    if (checkpoint_trigger.is_due(solver.step(),
+                                  solver.time(),
+                                  solver.requests().checkpoint))
+      write_checkpoint();
+    if (is_first_rank && progress.is_due())
+      progress.report({solver.time(),
+                       solver.time_step(),
+                       solver.step(),
+                       n_point_steps,
+                       solver.kinetic_energy()});
   }
 
   template <int dim>
@@ -322,7 +382,8 @@ namespace mpm_granular::Solver
     const double bytes =
       Utilities::MPI::sum(double(solver.material_points().memory_consumption()),
                           info.communicator);
-    const Output::Summary summary{solver.time() - before.time,
+    const Output::Summary summary{std::max(solver.time(), 0.) -
+                                    std::max(before.time, 0.),
                                   unsigned(solver.step() - before.n_steps),
                                   n_point_steps,
                                   timings.seconds(in_steps),

@@ -1,3 +1,4 @@
+#include <mpm_granular/core/exact_text.h>
 #include <mpm_granular/parameters/dimension.h>
 #include <mpm_granular/solver/run_parameters.h>
 
@@ -63,6 +64,7 @@ namespace mpm_granular::Solver
     , regions({"body"})
     , boundary_conditions({"walls"})
     , averaging("none")
+    , damping("none")
   {}
 
   template <int dim>
@@ -97,6 +99,9 @@ namespace mpm_granular::Solver
     add_section(prm, "Initial state", [&] {
       initial_state.add_parameters(prm);
     });
+    add_section(prm, "Initial equilibrium", [&] {
+      equilibrium.add_parameters(prm);
+    });
     add_section(prm, "Boundary conditions", [&] {
       boundary_conditions.add_parameters(
         prm,
@@ -111,6 +116,12 @@ namespace mpm_granular::Solver
                                "How stresses of points become forces of nodes, "
                                "and velocities of nodes gradients at points:");
       momentum.add_parameters(prm);
+    });
+    add_section(prm, "Damping", [&] {
+      damping.add_parameters(prm,
+                             "Type",
+                             "Forces on the nodes that bring a body to rest, "
+                             "for quasi-static runs:");
     });
     add_section(prm, "Time step", [&] { time_step.add_parameters(prm); });
     add_section(prm, "Parallel", [&] { partition.add_parameters(prm); });
@@ -141,10 +152,16 @@ namespace mpm_granular::Solver
       !regions.all_names().empty(),
       "Points/Names is empty: a run needs at least one region of points.");
     initial_state.check();
+    equilibrium.check();
     check_named("Boundary conditions", boundary_conditions);
     body_force.check();
     transfer.check();
     momentum.check();
+    damping->check();
+    require(momentum.mass_scaling == 1. || damping->is_active(),
+            "Scheme/Mass scaling = " + Core::exact_text(momentum.mass_scaling) +
+              " changes every motion; it is for quasi-static runs and needs a "
+              "'Damping/Type' other than 'none' (or be 1).");
     time_step.check();
     output.check();
     observables.check();

@@ -55,6 +55,7 @@ namespace mpm_granular::Solver
     serialize_summed(archive, "boundary_work", ledger.boundary_work);
     serialize_summed(archive, "transfer_loss", ledger.transfer_loss);
     serialize_summed(archive, "filter_loss", ledger.filter_loss);
+    serialize_summed(archive, "damping", ledger.damping);
     points.release();
     points.serialize(archive);
 

@@ -87,8 +87,11 @@ namespace mpm_granular::Solver
     , sweep(mesh, partition, laws, averaging)
   {
     averaging.reinit(mesh, partition, largest_specific_volumes<dim>(laws));
+    check_contact();
     create_points(input_file);
     set_initial_state();
+    if (parameters.equilibrium.is_wanted)
+      prepare_settling();
     find_cell_limits();
     if (partition.n_ranks > 1)
       redistribute();
@@ -96,6 +99,21 @@ namespace mpm_granular::Solver
       project();
     agree_on_state();
     step_control.check_stability(step_limits().critical_step);
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::check_contact() const
+  {
+    if (!boundary.has_contact())
+      return;
+    const std::string wall = "A wall with 'Type = Coulomb friction' ";
+    require(parameters.momentum.mass_matrix->handles_contact(),
+            wall + "needs Scheme/Mass matrix = lumped.");
+    // The velocity before the balance does not tell which walls push.
+    require(parameters.transfer.stress_order() !=
+              Transfer::StressOrder::update_stress_first,
+            wall + "needs Scheme/Stress order = MUSL or USL, not USF.");
   }
 
   template <int dim>
@@ -146,6 +164,13 @@ namespace mpm_granular::Solver
         const auto &law = *laws[arrays.material[p]];
         parameters.initial_state.apply(arrays, p, law.density(), gravity);
         law.initialize(arrays, {p, p + 1});
+        double speed = 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          speed += std::abs(arrays.velocity[d][p]);
+        require(!parameters.equilibrium.is_wanted || speed == 0.,
+                "Initial state/Velocity must be zero, as it is after 'Initial "
+                "equilibrium'; at " +
+                  Mesh::as_text(arrays.location(p)) + " it is not.");
         if (remark.empty())
           {
             Stress<dim> stress;

@@ -61,7 +61,10 @@ velocity_at(const Point<dim>                     &place,
   for (auto &v : velocity)
     for (unsigned int d = 0; d < dim; ++d)
       v[d] = d + 1.;
-  constraints.apply(velocity);
+  if (constraints.has_contact)
+    constraints.resolve_contact(velocity);
+  else
+    constraints.apply(velocity);
   for (unsigned int i = 0; i < velocity.size(); ++i)
     if (mesh.node_position(fields.active_nodes[i]).distance(place) < 1e-9)
       return velocity[i];
@@ -108,6 +111,68 @@ test(const std::string &cells)
             << "moving, 7.5 by the difference quotient " << at(1., 1. / 3.)
             << std::endl
             << "base before moving " << at(1., 0.) << std::endl;
+
+  // Before the walls the velocity is (1, 2, 3): it leaves the lower one, and
+  // the upper one takes the normal part 2, and 0.25 * 2 of the speed along it.
+  const Settings<dim>            rough("set Names = lower, upper, open\n"
+                                       "subsection lower\n set Boundaries = y_min\n"
+                                       " set Type = Coulomb friction\nend\n"
+                                       "subsection upper\n set Boundaries = y_max\n"
+                                       " set Type = Coulomb friction\n"
+                                       " set Friction coefficient = 0.25\nend\n"
+                                       "subsection open\n set Boundaries = x_min, x_max" +
+                            others + "\n set Type = free\nend\n");
+  Boundary::BoundaryManager<dim> walls(rough.conditions, *mesh, MPI_COMM_SELF);
+  walls.update(fields, 1., .5);
+  for (const double y : {0., 1.})
+    {
+      Point<dim> place;
+      place[0] = 1. / 3.;
+      place[1] = y;
+      if (dim == 3)
+        place[2] = 1. / 3.;
+      std::cout << "Coulomb friction "
+                << velocity_at(place, *mesh, fields, walls.constraints())
+                << std::endl;
+    }
+
+  // What is prescribed then: nothing on the lower wall; of (1, 2, 3) a normal
+  // component on the upper one, which keeps its value, and all components where
+  // friction can stop sqrt(10) and more.
+  for (const std::string coefficient : {"0.25", "1.6"})
+    {
+      const Settings<dim>            one_wall("set Names = upper, open\n"
+                                              "subsection upper\n"
+                                              " set Boundaries = y_max\n"
+                                              " set Type = Coulomb friction\n"
+                                              " set Friction coefficient = " +
+                                   coefficient +
+                                   "\nend\n"
+                                              "subsection open\n"
+                                              " set Boundaries = x_min, x_max, y_min" +
+                                   others + "\n set Type = free\nend\n");
+      Boundary::BoundaryManager<dim> wall(one_wall.conditions,
+                                          *mesh,
+                                          MPI_COMM_SELF);
+      wall.update(fields, 1., .5);
+      std::vector<Tensor<1, dim>> velocity(fields.n_active_nodes());
+      for (auto &v : velocity)
+        for (unsigned int d = 0; d < dim; ++d)
+          v[d] = d + 1.;
+      const auto held = wall.constraints().resolve_contact(velocity);
+      std::cout << "friction " << coefficient << ": " << held.nodes.size()
+                << " nodes of " << wall.constraints().nodes.size() << " with "
+                << held.nodes.front().n_directions << " components, "
+                << velocity[held.nodes.front().slot] << std::endl;
+      for (auto &v : velocity)
+        v = Point<dim>::unit_vector(0) - Point<dim>::unit_vector(1);
+      held.apply(velocity);
+      std::cout << "afterwards " << velocity[held.nodes.front().slot]
+                << std::endl;
+    }
+  walls.update_at_rest(fields);
+  manager.update_at_rest(fields);
+  std::cout << "moving wall, at rest " << at(1., 1. / 3.) << std::endl;
 
   try
     {

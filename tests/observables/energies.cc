@@ -58,6 +58,10 @@ main()
   body.ledger                = {20., -1., 2., 1.};
   print("Later", energies, body);
 
+  // Damping took the missing joule.
+  body.ledger.damping = 1.;
+  print("With damping", energies, body);
+
   // Without gravity no potential energy, and the closure is relative to the
   // initial total of 25 + 6.5.
   body.points.velocity[0][0] = 3.;

@@ -7,6 +7,7 @@
 #include <mpm_granular/core/registry.h>
 #include <mpm_granular/parameters/parameter_group.h>
 
+#include <optional>
 #include <vector>
 
 namespace mpm_granular::Boundary
@@ -24,6 +25,14 @@ namespace mpm_granular::Boundary
     /// normal is @p normal; unit vectors.
     virtual std::vector<dealii::Tensor<1, dim>>
     prescribed_directions(const dealii::Tensor<1, dim> & /*normal*/) const
+    {
+      return {};
+    }
+
+    /// If the prescribed directions are those of a wall that pushes only, along
+    /// its outward normal: the coefficient of its Coulomb friction.
+    virtual std::optional<double>
+    contact_friction() const
     {
       return {};
     }

@@ -52,12 +52,23 @@ namespace mpm_granular::Boundary
     void
     reinit();
 
+    /// Whether any wall only pushes.
+    bool
+    has_contact() const
+    {
+      return active.has_contact;
+    }
+
     /// Finds the constraints of the nodes that are active now, with their
     /// values for the step from @p time to @p time + @p time_step.
     void
     update(const Grid::NodalFields<dim> &fields,
            const double                  time,
            const double                  time_step);
+
+    /// The same with all walls at rest.
+    void
+    update_at_rest(const Grid::NodalFields<dim> &fields);
 
     const Grid::VelocityConstraints<dim> &
     constraints() const
@@ -92,6 +103,11 @@ namespace mpm_granular::Boundary
       Mesh::BoundaryFace<dim>       face;
     };
 
+    /// Finds the constraints of the active nodes; @p set_targets is called for
+    /// those whose walls move.
+    template <class SetTargets>
+    void
+    find_active(const Grid::NodalFields<dim> &fields, SetTargets &&set_targets);
     void
     set_targets(Node &node, const double time, const double time_step) const;
 

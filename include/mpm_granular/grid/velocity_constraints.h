@@ -4,6 +4,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace mpm_granular::Grid
@@ -17,6 +18,10 @@ namespace mpm_granular::Grid
 
     std::array<dealii::Tensor<1, dim>, dim> direction; ///< orthonormal
     std::array<double, dim>                 target{};  ///< along it [m/s]
+
+    /// Where a wall pushes against the direction, but does not pull: the
+    /// coefficient of its friction. Such walls are at rest.
+    std::array<std::optional<double>, dim> contact_friction{};
   };
 
   /// The prescribed velocity components of all active nodes, now.
@@ -26,7 +31,21 @@ namespace mpm_granular::Grid
   public:
     std::vector<NodeConstraint<dim>> nodes;
 
-    /// Gives the constrained components their prescribed values.
+    bool has_contact = false; ///< any wall, on any rank, only pushes
+
+    /**
+     * Lets the walls act on the velocities that the nodes would have without
+     * them (T34): prescribed components get their values; walls that only push
+     * stop what moves into them, and friction what slides along them.
+     *
+     * @return what this leaves prescribed in the step: the normal component
+     *   where a wall pushes, all components where friction holds the node.
+     */
+    VelocityConstraints
+    resolve_contact(std::vector<dealii::Tensor<1, dim>> &velocity) const;
+
+    /// Gives the constrained components their prescribed values. Without
+    /// contact, or with that of resolve_contact().
     template <class Field>
     void
     apply(Field &velocity) const
@@ -39,7 +58,7 @@ namespace mpm_granular::Grid
     }
 
     /// Removes the constrained components: the projection on admissible
-    /// variations.
+    /// variations, for walls that only push as if they held.
     template <class Field>
     void
     project(Field &field) const

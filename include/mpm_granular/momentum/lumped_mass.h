@@ -13,6 +13,12 @@ namespace mpm_granular::Momentum
     void
     add_parameters(dealii::ParameterHandler &prm) override;
 
+    bool
+    handles_contact() const override
+    {
+      return true;
+    }
+
     void
     assemble(Grid::NodalFields<dim> &fields) override;
 

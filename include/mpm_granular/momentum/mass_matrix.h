@@ -24,6 +24,13 @@ namespace mpm_granular::Momentum
     reinit(const Mesh::BackgroundMesh<dim> & /*mesh*/)
     {}
 
+    /// Whether constraints may be walls that push only.
+    virtual bool
+    handles_contact() const
+    {
+      return false;
+    }
+
     /// Takes over the masses of this step. Like solve() and multiply(),
     /// collective.
     virtual void

@@ -1,6 +1,7 @@
 #ifndef mpm_granular_momentum_momentum_balance_h
 #define mpm_granular_momentum_momentum_balance_h
 
+#include <mpm_granular/momentum/damping.h>
 #include <mpm_granular/momentum/mass_matrix.h>
 #include <mpm_granular/parameters/choice.h>
 
@@ -16,6 +17,7 @@ namespace mpm_granular::Momentum
 
     Parameters::Choice<MassMatrix<dim>> mass_matrix;
     double mass_cut_off = 1e-8; ///< of a full node's mass
+    double mass_scaling = 1.;   ///< of inertia, not of weight (T33)
 
     void
     add_parameters(dealii::ParameterHandler &prm) override;
@@ -29,6 +31,8 @@ namespace mpm_granular::Momentum
   {
     double total    = 0; ///< by all impulses, at the mean nodal velocity
     double boundary = 0; ///< the part of constraints and tractions
+    double damping  = 0; ///< that of damping, negative
+    double weight   = 0; ///< that of gravity
 
     /// What re-mapping takes: work of the internal forces at the mean of old
     /// and new velocity, less that at the mean of old and straining velocity.
@@ -43,6 +47,20 @@ namespace mpm_granular::Momentum
     double                                pic_factor; ///< c in (T14), 0..1
     dealii::Tensor<1, dim>                gravity;    ///< [m/s^2]
     const Grid::VelocityConstraints<dim> &constraints;
+    const Damping<dim> *damping = nullptr; ///< none if nullptr
+  };
+
+  /// How far the forces on the nodes are from balance [N^2].
+  struct ForceBalance
+  {
+    double rest     = 0; ///< square of what walls do not bear
+    double external = 0; ///< square of weights and loads
+    double internal = 0; ///< square of internal forces
+
+    /// What is out of balance over the larger one of the others; 0 without
+    /// forces.
+    double
+    ratio() const;
   };
 
   /**
@@ -86,6 +104,12 @@ namespace mpm_granular::Momentum
     GridWork
     work(const Grid::NodalFields<dim> &fields, const StepInput<dim> &step);
 
+    /// How far the forces at the start of the step, after advance(), are from
+    /// balance: this rank's part of sums over the ranks.
+    ForceBalance
+    force_balance(const Grid::NodalFields<dim> &fields,
+                  const StepInput<dim>         &step) const;
+
   private:
     /// All forces on a node but the reactions of constraints.
     dealii::Tensor<1, dim>
@@ -93,14 +117,29 @@ namespace mpm_granular::Momentum
           const StepInput<dim>         &step,
           const unsigned int            slot) const;
 
+    /// Adds the impulses of damping to the momenta in scratch.
+    void
+    add_damping(const StepInput<dim> &step);
+
+    /// The constraints in the step, with those of walls that only push.
+    const Grid::VelocityConstraints<dim> &
+    holding(const StepInput<dim> &step) const
+    {
+      return step.constraints.has_contact ? contact : step.constraints;
+    }
+
     MassMatrix<dim>                 &mass;
     const Mesh::BackgroundMesh<dim> &mesh;
     const double      least_density; ///< of a node: below, forces are dropped
+    const double      mass_scaling;
     NodalVectors<dim> old_momentum;
     NodalVectors<dim> old_velocity;
     NodalVectors<dim> new_velocity;
     NodalVectors<dim> change;
+    NodalVectors<dim> damping_impulse; ///< over the mass scaling; or empty
     NodalVectors<dim> scratch;
+
+    Grid::VelocityConstraints<dim> contact; ///< found in advance()
   };
 } // namespace mpm_granular::Momentum
 

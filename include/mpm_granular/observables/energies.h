@@ -10,7 +10,7 @@ namespace mpm_granular::Observables
   /// The energy the points have [J, in 2D J/m].
   struct StoredEnergy
   {
-    double kinetic   = 0.;
+    double kinetic   = 0.; ///< with the scaled mass, if it is
     double elastic   = 0.;
     double potential = 0.; ///< of gravity, zero at the mesh's lowest point
 
@@ -20,6 +20,13 @@ namespace mpm_granular::Observables
       return kinetic + elastic + potential;
     }
   };
+
+  /// The elastic energy of these points.
+  template <int dim>
+  double
+  elastic_energy(
+    const Points::PointArrays<dim>                             &points,
+    const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws);
 
   /// The energy of the points now. @p frame knows the lowest point of the mesh.
   template <int dim>
@@ -39,7 +46,8 @@ namespace mpm_granular::Observables
     std::vector<std::string>
     columns() const override;
 
-    /// The first call defines the initial state.
+    /// The first call, and the first one that is not before time 0, define the
+    /// initial state.
     std::vector<double>
     values(const Snapshot<dim> &snapshot, const Frame<dim> &frame) override;
 
@@ -48,6 +56,7 @@ namespace mpm_granular::Observables
 
   private:
     std::optional<StoredEnergy> initial;
+    double                      initial_time = 0.; ///< [s]
   };
 } // namespace mpm_granular::Observables
 

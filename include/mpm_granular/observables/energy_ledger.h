@@ -15,6 +15,7 @@ namespace mpm_granular::Observables
     double boundary_work = 0; ///< done on the body by constraints and tractions
     double transfer_loss = 0; ///< lost between points and grid
     double filter_loss   = 0; ///< taken by the pressure filter
+    double damping       = 0; ///< taken by damping
 
     /// The sum over the ranks.
     EnergyLedger
@@ -24,7 +25,8 @@ namespace mpm_granular::Observables
       for (double *const part : {&total.dissipated,
                                  &total.boundary_work,
                                  &total.transfer_loss,
-                                 &total.filter_loss})
+                                 &total.filter_loss,
+                                 &total.damping})
         *part = dealii::Utilities::MPI::sum(*part, communicator);
       return total;
     }

@@ -30,6 +30,7 @@ namespace mpm_granular::Observables
                        &laws; ///< by material
     const EnergyLedger &ledger;
     const MPI_Comm      communicator;
+    double              mass_scaling = 1.; ///< of inertia
   };
 } // namespace mpm_granular::Observables
 

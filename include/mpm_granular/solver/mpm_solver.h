@@ -8,6 +8,8 @@
 #include <mpm_granular/solver/run_parameters.h>
 #include <mpm_granular/solver/sweep.h>
 
+#include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,6 +48,36 @@ namespace mpm_granular::Solver
      */
     void
     advance_one_step(const double next_event, const Requests &requests = {});
+
+    /// Whether the stage before time 0 is on.
+    bool
+    is_settling() const
+    {
+      return current_time < 0.;
+    }
+
+    /**
+     * Advances by one step of the stage before time 0, which brings stresses
+     * into equilibrium (T35): points stay where they are, walls are at rest,
+     * gravity and loads are those of time 0, motion is damped.
+     *
+     * @param next_event and @p requests as for advance_one_step().
+     * @throws ComputationError if the result makes no sense.
+     */
+    void
+    settle_one_step(const double next_event, const Requests &requests = {});
+
+    /// How far from equilibrium the stage was some steps ago.
+    const Unrest &
+    last_unrest() const
+    {
+      return unrest;
+    }
+
+    /// Ends the stage: time 0, with the stresses there are, without motion,
+    /// and the history that belongs to the stresses.
+    void
+    start_from_rest();
 
     /**
      * All that the next step depends on, for checkpoints. Read on the number of
@@ -129,9 +161,9 @@ namespace mpm_granular::Solver
     }
 
     double
-    kinetic_energy() const ///< of all points [J], in 2D [J/m]
+    kinetic_energy() const ///< with the scaled mass [J], in 2D [J/m]
     {
-      return agreement.kinetic_energy;
+      return parameters.momentum.mass_scaling * agreement.kinetic_energy;
     }
 
     std::uint64_t
@@ -152,7 +184,8 @@ namespace mpm_granular::Solver
       return agreement.requests;
     }
 
-    /// Limits of the time step for the present active cells of all ranks.
+    /// Limits of the time step, with the scaled mass, for the present active
+    /// cells of all ranks.
     const Time::StepLimits &
     step_limits() const
     {
@@ -188,9 +221,13 @@ namespace mpm_granular::Solver
 
   private:
     void
+    check_contact() const;
+    void
     create_points(const std::string &input_file);
     void
     set_initial_state();
+    void
+    prepare_settling();
     void
     find_cell_limits();
     void
@@ -198,8 +235,16 @@ namespace mpm_granular::Solver
     void
     move_and_strain(const Momentum::StepInput<dim> &step);
     void
+    strain_in_place(const Momentum::StepInput<dim> &step);
+    void
+    measure_unrest(const Momentum::StepInput<dim> &step);
+    Momentum::GridWork
     update_ledger(const Momentum::StepInput<dim> &step,
                   const SweepResult              &sweep_result);
+    void
+    finish_step(const double    time_step,
+                const double    next_event,
+                const Requests &requests);
     void
     check_points(const SweepResult &sweep_result);
     void
@@ -215,11 +260,24 @@ namespace mpm_granular::Solver
     void
     project();
 
+    /// What the steps after time 0 are damped by; nullptr for nothing.
+    const Momentum::Damping<dim> *
+    damping() const
+    {
+      return parameters.damping->is_active() ? &*parameters.damping : nullptr;
+    }
+
+    /// The time whose gravity and loads hold now [s].
+    double
+    load_time() const
+    {
+      return std::max(current_time, 0.);
+    }
+
     /// Calls @p action, which may fail on this rank alone; the error is kept
     /// for agree_on_state().
-    template <class Action>
     void
-    on_this_rank(Action &&action);
+    on_this_rank(const std::function<void()> &action);
 
     const RunParameters<dim>                            &parameters;
     Mesh::BackgroundMesh<dim>                            mesh;
@@ -252,6 +310,7 @@ namespace mpm_granular::Solver
     std::size_t               n_runs          = 0; ///< of the last sweep
     std::size_t               n_runs_in_order = 0;
 
+    Unrest       unrest;
     Agreement    agreement;
     std::string  error;                   ///< of this rank; empty if none
     bool         is_out_of_reach = false; ///< a point of this rank

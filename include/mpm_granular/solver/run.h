@@ -8,6 +8,7 @@
 #include <mpm_granular/output/manifest.h>
 #include <mpm_granular/output/points_output.h>
 #include <mpm_granular/output/preflight.h>
+#include <mpm_granular/output/progress.h>
 #include <mpm_granular/output/run_folder.h>
 #include <mpm_granular/output/schedule.h>
 #include <mpm_granular/output/timings.h>
@@ -61,7 +62,13 @@ namespace mpm_granular::Solver
     Outcome
     compute();
     Outcome
+    settle();
+    Outcome
     take_steps();
+    void
+    finish_step(Output::Progress &progress, Output::Schedule &rows);
+    Requests
+    requests_now() const;
     double
     next_event() const;
     void
@@ -96,10 +103,12 @@ namespace mpm_granular::Solver
     Checkpoint::CheckpointFolder  checkpoints;
     Checkpoint::CheckpointTrigger checkpoint_trigger;
 
+    static constexpr double no_time = std::numeric_limits<double>::lowest();
+
     std::uint64_t n_point_steps   = 0;
-    double        last_written    = -1.;   ///< fields, time [s]
-    double        last_row        = -1.;   ///< of observables, time [s]
-    std::uint64_t checkpoint_step = never; ///< of the newest checkpoint
+    double        last_written    = no_time; ///< fields, time [s]
+    double        last_row        = no_time; ///< of observables, time [s]
+    std::uint64_t checkpoint_step = never;   ///< of the newest checkpoint
 
     /// What had been done when the run was continued, so that speeds are of
     /// this start and counts of all.

@@ -7,12 +7,14 @@
 #include <mpm_granular/mesh/mesh_source.h>
 #include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/momentum/body_force.h>
+#include <mpm_granular/momentum/damping.h>
 #include <mpm_granular/momentum/momentum_balance.h>
 #include <mpm_granular/observables/observables_table.h>
 #include <mpm_granular/output/output_parameters.h>
 #include <mpm_granular/parameters/choice.h>
 #include <mpm_granular/points/initial_state.h>
 #include <mpm_granular/points/region.h>
+#include <mpm_granular/solver/initial_equilibrium.h>
 #include <mpm_granular/time/step_control.h>
 #include <mpm_granular/transfer/averaging.h>
 #include <mpm_granular/transfer/velocity_update.h>
@@ -50,11 +52,13 @@ namespace mpm_granular::Solver
     Parameters::NamedGroups<Material<dim>>       materials;
     Parameters::NamedGroups<Points::Region<dim>> regions;
     Points::InitialState<dim>                    initial_state;
+    InitialEquilibrium<dim>                      equilibrium;
     Boundary::BoundarySettings<dim>              boundary_conditions;
     Momentum::BodyForce<dim>                     body_force;
     Transfer::TransferParameters                 transfer;
     Parameters::Choice<Transfer::Averaging<dim>> averaging;
     Momentum::MomentumParameters<dim>            momentum;
+    Parameters::Choice<Momentum::Damping<dim>>   damping;
     Time::StepParameters                         time_step;
     Mesh::PartitionParameters                    partition;
     Output::OutputParameters                     output;
