@@ -49,8 +49,8 @@ namespace mpm_granular::Output
                       dealii::Patterns::Integer(1));
     prm.add_parameter("Write grid",
                       write_grid,
-                      "Whether the mesh with mass and velocity of its nodes is "
-                      "written beside the points.");
+                      "Whether the mesh is written beside the points, with mass, "
+                      "velocity and mean pressure of its nodes.");
     prm.add_parameter(
       "Format",
       format,

@@ -337,11 +337,13 @@ namespace mpm_granular::Solver
                         solver.material_points().arrays());
     if (!parameters.output.write_grid)
       return;
-    // Mass and velocity of all nodes, each from one of the ranks that know it.
-    // They follow from the points alone, also in a run that is continued.
+    // Mass, velocity and pressure of all nodes, each from one of the ranks that
+    // know it. They follow from the points alone, also in a run that is
+    // continued.
     solver.gather_nodes();
     const auto         &fields   = solver.nodal_fields();
-    constexpr int       n_values = 1 + dim;
+    const auto          pressure = solver.nodal_pressure();
+    constexpr int       n_values = 2 + dim;
     std::vector<double> values(solver.background_mesh().n_nodes() * n_values,
                                0.);
     for (unsigned int slot = 0; slot < fields.n_active_nodes(); ++slot)
@@ -352,20 +354,28 @@ namespace mpm_granular::Solver
           for (unsigned int d = 0; d < dim; ++d)
             of_node[1 + d] =
               fields.sums[slot].momentum[d] / fields.sums[slot].mass;
+          of_node[1 + dim] = pressure[slot];
         }
     solver.spread_to_own_cells(values, n_values);
-    grid_output.write(
-      solver.time(),
-      solver.step(),
-      solver.background_mesh(),
-      solver.cell_partition(),
-      {{"mass",
-        "kg",
-        1,
-        [&](const auto node, const auto) { return values[node * n_values]; }},
-       {"velocity", "m/s", dim, [&](const auto node, const auto component) {
-          return values[node * n_values + 1 + component];
-        }}});
+    grid_output.write(solver.time(),
+                      solver.step(),
+                      solver.background_mesh(),
+                      solver.cell_partition(),
+                      {{"mass",
+                        "kg",
+                        1,
+                        [&](const auto node, const auto) {
+                          return values[node * n_values];
+                        }},
+                       {"velocity",
+                        "m/s",
+                        dim,
+                        [&](const auto node, const auto component) {
+                          return values[node * n_values + 1 + component];
+                        }},
+                       {"pressure", "Pa", 1, [&](const auto node, const auto) {
+                          return values[node * n_values + 1 + dim];
+                        }}});
   }
 
   template <int dim>

@@ -7,6 +7,7 @@
 #include <mpm_granular/solver/agreement.h>
 #include <mpm_granular/solver/run_parameters.h>
 #include <mpm_granular/solver/sweep.h>
+#include <mpm_granular/transfer/nodal_pressure.h>
 
 #include <algorithm>
 #include <functional>
@@ -124,6 +125,14 @@ namespace mpm_granular::Solver
     gather_nodes()
     {
       fields.gather_nodes();
+    }
+
+    /// The mean pressure around the active nodes, by slot [Pa]; after
+    /// gather_nodes().
+    std::vector<double>
+    nodal_pressure()
+    {
+      return Transfer::nodal_pressure(mesh, points.arrays(), fields);
     }
 
     /// Completes values at nodes, set by the rank that counts the node and zero
