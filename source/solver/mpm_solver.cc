@@ -89,6 +89,7 @@ namespace mpm_granular::Solver
         fields.gather_forces();         // (T9)
         averaging.find_forces(fields);  // (T41, T43)
         momentum.advance(fields, step); // (T12)
+        count_lost_power(step.time_step);
         on_this_rank([&] {
           result = sweep.move(arrays, fields, step.time_step, step.pic_factor);
         });
@@ -103,6 +104,7 @@ namespace mpm_granular::Solver
         else
           momentum.remap_velocity(fields, step); // (T16)
         averaging.find_gradients(fields);        // (T42)
+        count_lost_power(step.time_step);
         on_this_rank([&] {
           result =
             sweep.advance(arrays, fields, step.time_step, step.pic_factor);
@@ -128,6 +130,13 @@ namespace mpm_granular::Solver
       {
         error = exception.what();
       }
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::count_lost_power(const double time_step)
+  {
+    ledger.transfer_loss += time_step * averaging.lost_power(fields); // (T28d)
   }
 
   template <int dim>

@@ -67,6 +67,7 @@ namespace mpm_granular::Solver
     momentum.advance(fields, step);        // (T12)
     momentum.remap_velocity(fields, step); // (T16)
     averaging.find_gradients(fields);      // (T42)
+    count_lost_power(step.time_step);
     measure_unrest(step);
 
     SweepResult result;

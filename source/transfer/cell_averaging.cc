@@ -1,6 +1,7 @@
 #include <mpm_granular/transfer/cell_averaging.h>
 #include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/points_to_grid.h>
+#include <mpm_granular/transfer/stress_power.h>
 
 #include <algorithm>
 
@@ -60,6 +61,7 @@ namespace mpm_granular::Transfer
   CellAveraging<dim>::find_forces(Grid::NodalFields<dim> &fields)
   {
     auto &active = fields.template cells<Mesh::SimplexCell<dim>>();
+    factors.assign(fields.active_cells.size(), 1.);
     for (unsigned int c = 0; c < fields.active_cells.size(); ++c)
       {
         const auto is_full = [&](const unsigned int node) {
@@ -70,10 +72,9 @@ namespace mpm_granular::Transfer
                                          active.nodes[c].end(),
                                          is_full))
           continue;
-        const double factor =
-          mesh->cell_volume(fields.active_cells[c]) / volume;
+        factors[c] = mesh->cell_volume(fields.active_cells[c]) / volume;
         for (double &component : active.sums[c].internal.stress)
-          component *= factor;
+          component *= factors[c];
       }
     fields.gather_forces();
   }
@@ -85,6 +86,25 @@ namespace mpm_granular::Transfer
                                PointBlock<dim>                &block) const
   {
     evaluate_gradients(*mesh, fields, points, block);
+  }
+
+  template <int dim>
+  double
+  CellAveraging<dim>::lost_power(const Grid::NodalFields<dim> &fields) const
+  {
+    using Cell         = Mesh::SimplexCell<dim>;
+    const auto &cells  = mesh->template cells<Cell>();
+    const auto &active = fields.template cells<Cell>();
+    double      power  = 0.;
+    for (unsigned int c = 0; c < factors.size(); ++c)
+      if (factors[c] != 1.)
+        power +=
+          (1. - 1. / factors[c]) *
+          stress_power<dim>(active.sums[c].internal.stress,
+                            straining_gradient(cells[fields.active_cells[c]],
+                                               active.nodes[c],
+                                               fields));
+    return power;
   }
 
   template <int dim>

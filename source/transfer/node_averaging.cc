@@ -2,6 +2,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <mpm_granular/transfer/node_averaging.h>
+#include <mpm_granular/transfer/stress_power.h>
 #include <mpm_granular/transfer/sum_by_cell.h>
 
 #include <algorithm>
@@ -202,11 +203,12 @@ namespace mpm_granular::Transfer
           for (unsigned int s = 0; s < n_stress<dim>; ++s)
             stresses[active.nodes[c][k]][s] +=
               parts[c * n_parts + s * n_nodes + k];
-    fields.shared.sum(stresses.data()->data(), n_stress<dim>);
+    fields.shared.sum(stresses);
 
     // Where the surroundings are full the stress acts on their whole volume;
     // where they are about empty, on that of the points.
     constexpr double half_full = Filling<dim>::full - 0.2;
+    stress_factors.resize(stresses.size());
     for (unsigned int i = 0; i < stresses.size(); ++i)
       {
         const double theta = filling.fraction(i);
@@ -214,9 +216,9 @@ namespace mpm_granular::Transfer
           std::clamp((theta - half_full) / (Filling<dim>::full - half_full),
                      0.,
                      1.);
-        const double factor = (1. + part * (1. / theta - 1.)) / node_weights[i];
+        stress_factors[i] = (1. + part * (1. / theta - 1.)) / node_weights[i];
         for (double &component : stresses[i])
-          component *= factor;
+          component *= stress_factors[i];
       }
   }
 
@@ -231,23 +233,14 @@ namespace mpm_granular::Transfer
       {
         if (cell_weights[c] == 0.)
           continue;
-        const Cell                   &cell  = cells[fields.active_cells[c]];
-        const auto                   &nodes = active.nodes[c];
-        std::array<double, dim * dim> weighted{};
-        const auto                   &first = fields.motion[nodes[0]].straining;
-        for (unsigned int k = 0; k < dim; ++k)
-          {
-            const auto &other = fields.motion[nodes[k + 1]].straining;
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int j = 0; j < dim; ++j)
-                weighted[i * dim + j] +=
-                  cell_weights[c] * (other[i] - first[i]) * cell.gradient[k][j];
-          }
+        const Cell &cell    = cells[fields.active_cells[c]];
+        const auto &nodes   = active.nodes[c];
+        const auto  of_cell = straining_gradient(cell, nodes, fields);
         for (const unsigned int node : nodes)
           for (unsigned int i = 0; i < dim * dim; ++i)
-            gradients[node][i] += weighted[i];
+            gradients[node][i] += cell_weights[c] * of_cell[i];
       }
-    fields.shared.sum(gradients.data()->data(), dim * dim);
+    fields.shared.sum(gradients);
     for (unsigned int node = 0; node < gradients.size(); ++node)
       for (double &component : gradients[node])
         component /= node_weights[node];
@@ -308,6 +301,35 @@ namespace mpm_granular::Transfer
             block.strained.push_back({p, p + 1});
           }
       }
+  }
+
+  template <int dim>
+  double
+  NodeAveraging<dim>::lost_power(const Grid::NodalFields<dim> &fields) const
+  {
+    const auto &cells  = mesh->template cells<Cell>();
+    const auto &active = fields.template cells<Cell>();
+    double      power  = 0.;
+    for (unsigned int c = 0; c < cell_weights.size(); ++c)
+      {
+        if (cell_weights[c] == 0.)
+          continue;
+        Stress<dim> stress = active.sums[c].internal.stress;
+        for (unsigned int s = 0; s < n_stress<dim>; ++s)
+          for (unsigned int k = 0; k < n_nodes; ++k)
+            stress[s] -=
+              (1. - averaged_part) * parts[c * n_parts + s * n_nodes + k];
+        power +=
+          stress_power<dim>(stress,
+                            straining_gradient(cells[fields.active_cells[c]],
+                                               active.nodes[c],
+                                               fields));
+      }
+    for (unsigned int i = 0; i < stresses.size(); ++i)
+      if (fields.shared.counts(i))
+        power -= averaged_part / stress_factors[i] *
+                 stress_power<dim>(stresses[i], gradients[i]);
+    return power;
   }
 
   template <int dim>

@@ -63,7 +63,7 @@ namespace mpm_granular::Transfer
   void
   PressureFilter<dim>::find_gradients(Grid::NodalFields<dim> &fields)
   {
-    fields.shared.sum(means.data()->data(), n_means);
+    fields.shared.sum(means);
     for (auto &node : means)
       if (node[volume] > 0.)
         for (unsigned int m = pressure; m < n_means; ++m)
@@ -106,7 +106,7 @@ namespace mpm_granular::Transfer
             }
         }
     });
-    fields.shared.sum(slopes.data()->data(), n_slopes);
+    fields.shared.sum(slopes);
     for (auto &node : slopes)
       if (node[weight] > 0.)
         for (unsigned int d = 0; d < dim; ++d)

@@ -3,6 +3,7 @@
 
 #include <mpm_granular/mesh/partition.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -61,6 +62,14 @@ namespace mpm_granular::Grid
     /// Sums further values at the places found before.
     void
     sum(double *values, const unsigned int n_values);
+
+    /// The same for some numbers per place.
+    template <std::size_t n>
+    void
+    sum(std::vector<std::array<double, n>> &values)
+    {
+      sum(values.empty() ? nullptr : values[0].data(), n);
+    }
 
     /// The same for a vector field.
     void

@@ -247,6 +247,8 @@ namespace mpm_granular::Solver
     strain_in_place(const Momentum::StepInput<dim> &step);
     void
     measure_unrest(const Momentum::StepInput<dim> &step);
+    void
+    count_lost_power(const double time_step);
     Momentum::GridWork
     update_ledger(const Momentum::StepInput<dim> &step,
                   const SweepResult              &sweep_result);

@@ -84,6 +84,18 @@ namespace mpm_granular::Transfer
              const Points::PointArrays<dim> &points,
              PointBlock<dim>                &block) const = 0;
 
+    /**
+     * The power of the nodal forces on the straining velocities, less that of
+     * the stresses of the points on their gradients [W]: this rank's part of
+     * what the motion loses because one is not the exact adjoint of the other
+     * (T28d). After find_gradients().
+     */
+    virtual double
+    lost_power(const Grid::NodalFields<dim> & /*fields*/) const
+    {
+      return 0.;
+    }
+
     /// The sums over the points, for checkpoints.
     virtual void
     serialize(Core::Archive & /*archive*/)

@@ -48,12 +48,16 @@ namespace mpm_granular::Transfer
              const Points::PointArrays<dim> &points,
              PointBlock<dim>                &block) const override;
 
+    double
+    lost_power(const Grid::NodalFields<dim> &fields) const override;
+
     void
     serialize(Core::Archive &archive) override;
 
   private:
     const Mesh::BackgroundMesh<dim> *mesh = nullptr;
     Filling<dim>                     filling;
+    std::vector<double>              factors; ///< c_e by cell slot
   };
 } // namespace mpm_granular::Transfer
 

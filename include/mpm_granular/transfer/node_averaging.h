@@ -1,10 +1,9 @@
 #ifndef mpm_granular_transfer_node_averaging_h
 #define mpm_granular_transfer_node_averaging_h
 
-#include <deal.II/base/tensor.h>
-
 #include <mpm_granular/transfer/averaging.h>
 #include <mpm_granular/transfer/filling.h>
+#include <mpm_granular/transfer/stress_power.h>
 
 #include <array>
 #include <vector>
@@ -62,6 +61,9 @@ namespace mpm_granular::Transfer
              const Points::PointArrays<dim> &points,
              PointBlock<dim>                &block) const override;
 
+    double
+    lost_power(const Grid::NodalFields<dim> &fields) const override;
+
     void
     serialize(Core::Archive &archive) override;
 
@@ -92,10 +94,11 @@ namespace mpm_granular::Transfer
 
     /// sum_p V_p sigma_p N_k by cell slot, then component, then vertex.
     std::vector<double>      parts;
-    std::vector<double>      cell_weights; ///< Omega_e by slot; 0 if not own
-    std::vector<double>      node_weights; ///< Omega_k by slot
-    std::vector<Stress<dim>> stresses;     ///< of nodes, over Omega_k
-    std::vector<std::array<double, dim * dim>> gradients; ///< of nodes
+    std::vector<double>      cell_weights;   ///< Omega_e by slot; 0 if not own
+    std::vector<double>      node_weights;   ///< Omega_k by slot
+    std::vector<Stress<dim>> stresses;       ///< of nodes, over Omega_k
+    std::vector<double>      stress_factors; ///< c_k / Omega_k by slot
+    std::vector<VelocityGradient<dim>> gradients; ///< of nodes
   };
 } // namespace mpm_granular::Transfer
 
