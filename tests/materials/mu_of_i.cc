@@ -42,11 +42,7 @@ test_step(const std::string &text)
           }
         worst = std::max(worst, std::abs(point.stress()[3] - lower) / p);
       }
-  compare("a step of " + text + " s, tau/p",
-          worst,
-          0.,
-          1e-12,
-          1.);
+  compare("a step of " + text + " s, tau/p", worst, 0., 1e-12, 1.);
 }
 
 template <int dim>
