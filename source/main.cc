@@ -5,6 +5,8 @@
 #include <mpm_granular/core/exceptions.h>
 #include <mpm_granular/core/exit_code.h>
 #include <mpm_granular/core/signals.h>
+#include <mpm_granular/drive/drive_parameters.h>
+#include <mpm_granular/drive/drive_run.h>
 #include <mpm_granular/parameters/changes.h>
 #include <mpm_granular/parameters/command_line.h>
 #include <mpm_granular/parameters/dimension.h>
@@ -28,14 +30,13 @@ namespace
 
 
 
-  /// --print-parameters.
-  template <int dim>
+  /// --print-parameters, of @p parameters with their defaults.
   void
-  print_parameters(const CommandLine &command_line)
+  print_parameters(Parameters::ParameterGroup &parameters,
+                   const CommandLine          &command_line)
   {
     using namespace Parameters;
-    Solver::RunParameters<dim> parameters;
-    const bool                 everything_possible =
+    const bool everything_possible =
       command_line.file.empty() && command_line.print_style == Style::markdown;
     write(everything_possible ?
             documented_entries(parameters) :
@@ -79,6 +80,45 @@ namespace
 
 
 
+  /// What the run or test writes as its parameters, and how it was called.
+  Parameters::RunInfo
+  run_info(const CommandLine                    &command_line,
+           const Origin                         &origin,
+           const std::vector<Parameters::Entry> &entries)
+  {
+    std::ostringstream text;
+    text << "# Every entry as used by\n#   " << command_line.text
+         << "\n# File names are relative to the folder of "
+         << std::filesystem::absolute(origin.input_file).string() << "\n\n";
+    Parameters::write(entries, text, Parameters::Style::parameter_file);
+
+    Parameters::RunInfo info;
+    info.command_line   = command_line.text;
+    info.input_file     = origin.input_file;
+    info.parameter_text = text.str();
+    info.checkpoint     = origin.checkpoint;
+    info.remarks        = origin.remarks;
+    info.overwrite      = command_line.overwrite;
+    info.check_only     = command_line.task == CommandLine::Task::check;
+    return info;
+  }
+
+
+
+  /// Tests a material point.
+  void
+  drive(const CommandLine &command_line, const Origin &origin)
+  {
+    Drive::DriveParameters parameters;
+    const auto             entries =
+      Parameters::read(parameters, origin.source, origin.overrides);
+    Parameters::check(parameters, origin.source.name);
+    const auto info = run_info(command_line, origin, entries);
+    Drive::DriveRun(parameters, info).execute();
+  }
+
+
+
   /// Reads the parameters, sets the run up, and runs it.
   template <int dim>
   ExitCode
@@ -98,21 +138,7 @@ namespace
       }
     Parameters::check(parameters, origin.source.name);
 
-    std::ostringstream text;
-    text << "# Every entry as used by\n#   " << command_line.text
-         << "\n# File names are relative to the folder of "
-         << std::filesystem::absolute(origin.input_file).string() << "\n\n";
-    Parameters::write(entries, text, Parameters::Style::parameter_file);
-
-    Parameters::RunInfo info;
-    info.command_line   = command_line.text;
-    info.input_file     = origin.input_file;
-    info.parameter_text = text.str();
-    info.checkpoint     = origin.checkpoint;
-    info.remarks        = origin.remarks;
-    info.overwrite      = command_line.overwrite;
-    info.check_only     = command_line.task == CommandLine::Task::check;
-
+    const auto       info = run_info(command_line, origin, entries);
     Solver::Run<dim> run(parameters, info);
     if (!info.check_only)
       Core::catch_signals();
@@ -133,6 +159,15 @@ namespace
     else
       {
         const Origin origin = origin_of(command_line);
+        if (command_line.drive)
+          {
+            Drive::DriveParameters parameters;
+            if (command_line.task == Task::print_parameters)
+              print_parameters(parameters, command_line);
+            else
+              drive(command_line, origin);
+            return ExitCode::done;
+          }
         // Of a run that is continued, the dimension cannot be changed.
         const bool is_2d =
           Parameters::read_dimension(origin.source,
@@ -140,8 +175,12 @@ namespace
                                        origin.overrides :
                                        std::vector<std::string>()) == 2;
         if (command_line.task == Task::print_parameters)
-          is_2d ? print_parameters<2>(command_line) :
-                  print_parameters<3>(command_line);
+          {
+            Solver::RunParameters<2> in_2d;
+            Solver::RunParameters<3> in_3d;
+            is_2d ? print_parameters(in_2d, command_line) :
+                    print_parameters(in_3d, command_line);
+          }
         else
           return is_2d ? run_case<2>(command_line, origin) :
                          run_case<3>(command_line, origin);

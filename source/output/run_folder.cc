@@ -20,6 +20,7 @@ namespace mpm_granular::Output
     {
       static const std::regex pattern(
         "(parameters\\.prm|manifest\\.json|observables\\.csv|profile\\.csv|"
+        "drive\\.csv|yield\\.csv|"
         "log\\.txt|(points|grid)\\.(pvd|xdmf)|"
         "points/points-[0-9]+(-[0-9]+)?\\.(vtu|pvtu|h5)|"
         "grid/grid-[0-9]+\\.(vtu|h5)|checkpoint/step-[0-9]+\\.h5)(\\.tmp)?");

@@ -24,6 +24,8 @@ namespace mpm_granular::Parameters
       add("check",
           "read FILE, set everything up and print the report of what a run "
           "would be, without running or writing");
+      add("drive",
+          "test one material point as FILE says, for the calibration of a law");
       add("set",
           options::value<std::vector<std::string>>()->value_name(
             "\"SECTION/ENTRY=VALUE\""),
@@ -113,6 +115,9 @@ namespace mpm_granular::Parameters
               "Command line: --resume takes the parameters from the "
               "checkpoint; leave out '" +
                 line.file + "'.");
+      require(!line.drive,
+              "Command line: --resume does not go with --drive; a test of a "
+              "material point is repeated.");
       require(!line.overwrite,
               "Command line: --resume continues a run, --overwrite removes it; "
               "choose one.");
@@ -160,6 +165,7 @@ namespace mpm_granular::Parameters
         result.overrides.push_back("Output/Directory=" +
                                    values["output"].as<std::string>());
       result.overwrite = values.count("overwrite") > 0;
+      result.drive     = values.count("drive") > 0;
       if (!result.resume.empty())
         refuse_beside_resume(result);
 
@@ -234,6 +240,7 @@ namespace mpm_granular::Parameters
          "Usage:\n"
          "  mpm_granular FILE [options]              run the case in FILE\n"
          "  mpm_granular --check FILE                only check it\n"
+         "  mpm_granular --drive FILE [options]      test a material point\n"
          "  mpm_granular --resume DIR [options]      continue the run in "
          "DIR\n"
          "  mpm_granular --print-parameters [FILE]   list all entries\n\n"

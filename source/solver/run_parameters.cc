@@ -39,25 +39,6 @@ namespace mpm_granular::Solver
   } // namespace
 
   template <int dim>
-  Material<dim>::Material()
-    : law("Drucker-Prager viscoplastic")
-  {}
-
-  template <int dim>
-  void
-  Material<dim>::add_parameters(ParameterHandler &prm)
-  {
-    law.add_parameters(prm, "Law", "Constitutive law:");
-  }
-
-  template <int dim>
-  void
-  Material<dim>::check() const
-  {
-    law->check();
-  }
-
-  template <int dim>
   RunParameters<dim>::RunParameters()
     : mesh("box")
     , materials({"sand"})
@@ -176,8 +157,6 @@ namespace mpm_granular::Solver
     return paths;
   }
 
-  template struct Material<2>;
-  template struct Material<3>;
   template struct RunParameters<2>;
   template struct RunParameters<3>;
 } // namespace mpm_granular::Solver

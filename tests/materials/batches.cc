@@ -174,6 +174,9 @@ main()
       test<3>(granular, {"Perzyna exponent=3"}, what, runs);
       test<3>(elastic, {}, what, runs);
     }
+  for (const std::string law : {"Drucker-Prager cohesive", "mu(I)"})
+    test<2>(law, {}, "long runs", long_runs);
+  test<3>("Mohr-Coulomb", {"Cohesion=500"}, "short runs", short_runs);
   test_inversion<2>();
   test_inversion<3>();
 }

@@ -112,6 +112,12 @@ test_remarks()
               << std::endl;
   std::cout << "tension: \"" << law->remark_on({{10., 10., 10.}}) << '"'
             << std::endl;
+  for (const std::string law :
+       {"Drucker-Prager cohesive", "Mohr-Coulomb", "mu(I)"})
+    for (const double stress : {-3e4, -5e3, -1e3, 10.})
+      std::cout << law << ", " << stress << ": \""
+                << make_law<3>(law)->remark_on({{-1e4, -1e4, stress}}) << '"'
+                << std::endl;
   std::cout << "no stress: \"" << law->remark_on({}) << '"' << std::endl;
   std::cout << "elastic: \"" << make_law<3>(elastic)->remark_on({{10.}}) << '"'
             << std::endl;
@@ -135,6 +141,17 @@ main()
     expect_refusal(granular, {entry});
   expect_refusal(granular, {"Separation=capped", "Log volume ratio cap=0"});
   expect_refusal(elastic, {"Poisson ratio=0.5"});
+  for (const std::string law : {"Drucker-Prager cohesive", "Mohr-Coulomb"})
+    {
+      expect_refusal(law, {"Cohesion=-1"});
+      expect_refusal(law, {"Friction angle=25", "Dilatancy angle=26"});
+      expect_refusal(law, {"Cohesion=1e3", "Tensile strength=1733"});
+      expect_refusal(law, {"Flow=plastic"});
+      expect_unknown(law, "Log volume ratio cap=0.1");
+    }
+  expect_refusal("mu(I)", {"Static friction=0.5", "Largest friction=0.5"});
+  expect_refusal("mu(I)", {"Density=1500", "Grain density=1500"});
+  expect_refusal("mu(I)", {"Grain diameter=0"});
   // Entries without effect: the messages are tested with the parameters.
   expect_unknown(granular, "Log volume ratio cap=0.1");
   expect_unknown(elastic, "Friction angle=30");

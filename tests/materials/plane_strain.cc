@@ -49,4 +49,8 @@ main()
   test(granular, {"Perzyna exponent=1"});
   test(granular, {"Perzyna exponent=2"});
   test(granular, {"Perzyna exponent=0.7"});
+  test("Drucker-Prager cohesive", {"Cohesion=1e3", "Dilatancy angle=5"});
+  test("Mohr-Coulomb", {"Dilatancy angle=5"});
+  test("Mohr-Coulomb", {"Flow=rate-independent", "Cohesion=1e3"});
+  test("mu(I)", {});
 }

@@ -21,6 +21,7 @@ ALLOWED = {
     "time": {"mesh"},
     "checkpoint": set(),
     "output": {"points", "mesh", "materials"},
+    "drive": {"points", "materials", "output"},
     "observables": {"points", "mesh", "materials"},
     "solver": {"mesh", "points", "grid", "materials", "transfer", "momentum",
                "boundary", "time", "output", "observables", "checkpoint"},

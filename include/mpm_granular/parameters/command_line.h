@@ -29,6 +29,7 @@ namespace mpm_granular::Parameters
     /// "Section/Entry=value" of --set and of options that stand for an entry.
     std::vector<std::string> overrides;
 
+    bool  drive       = false; ///< the file is of a test of a material point
     bool  overwrite   = false;
     Style print_style = Style::parameter_file;
 

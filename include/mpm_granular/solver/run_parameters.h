@@ -3,7 +3,7 @@
 
 #include <mpm_granular/boundary/boundary_manager.h>
 #include <mpm_granular/checkpoint/checkpoint_parameters.h>
-#include <mpm_granular/materials/constitutive_law.h>
+#include <mpm_granular/materials/material.h>
 #include <mpm_granular/mesh/mesh_source.h>
 #include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/momentum/body_force.h>
@@ -24,21 +24,6 @@
 
 namespace mpm_granular::Solver
 {
-  /// A material: a law and its entries.
-  template <int dim>
-  struct Material : Parameters::ParameterGroup
-  {
-    Material();
-
-    Parameters::Choice<Materials::ConstitutiveLaw<dim>> law;
-
-    void
-    add_parameters(dealii::ParameterHandler &prm) override;
-
-    void
-    check() const override;
-  };
-
   /// All settings of a run: those of every room, side by side.
   template <int dim>
   struct RunParameters : Parameters::ParameterGroup
@@ -48,22 +33,22 @@ namespace mpm_granular::Solver
     double end_time           = 1.; ///< [s]
     bool   remove_lost_points = false;
 
-    Parameters::Choice<Mesh::MeshSource<dim>>    mesh;
-    Parameters::NamedGroups<Material<dim>>       materials;
-    Parameters::NamedGroups<Points::Region<dim>> regions;
-    Points::InitialState<dim>                    initial_state;
-    InitialEquilibrium<dim>                      equilibrium;
-    Boundary::BoundarySettings<dim>              boundary_conditions;
-    Momentum::BodyForce<dim>                     body_force;
-    Transfer::TransferParameters                 transfer;
-    Parameters::Choice<Transfer::Averaging<dim>> averaging;
-    Momentum::MomentumParameters<dim>            momentum;
-    Parameters::Choice<Momentum::Damping<dim>>   damping;
-    Time::StepParameters                         time_step;
-    Mesh::PartitionParameters                    partition;
-    Output::OutputParameters                     output;
-    Observables::ObservablesTable<dim>           observables;
-    Checkpoint::CheckpointParameters             checkpoint;
+    Parameters::Choice<Mesh::MeshSource<dim>>         mesh;
+    Parameters::NamedGroups<Materials::Material<dim>> materials;
+    Parameters::NamedGroups<Points::Region<dim>>      regions;
+    Points::InitialState<dim>                         initial_state;
+    InitialEquilibrium<dim>                           equilibrium;
+    Boundary::BoundarySettings<dim>                   boundary_conditions;
+    Momentum::BodyForce<dim>                          body_force;
+    Transfer::TransferParameters                      transfer;
+    Parameters::Choice<Transfer::Averaging<dim>>      averaging;
+    Momentum::MomentumParameters<dim>                 momentum;
+    Parameters::Choice<Momentum::Damping<dim>>        damping;
+    Time::StepParameters                              time_step;
+    Mesh::PartitionParameters                         partition;
+    Output::OutputParameters                          output;
+    Observables::ObservablesTable<dim>                observables;
+    Checkpoint::CheckpointParameters                  checkpoint;
 
     void
     add_parameters(dealii::ParameterHandler &prm) override;
