@@ -22,8 +22,7 @@ Usage: ./quickstart.sh run | test
   test   the same set-up, then build Release and Debug and run every test
 
 Packages are installed by apt, as root or through sudo, and only if some are
-missing. Tried on Debian 12; on Debian 13 in Release only; Ubuntu and others
-are untried.
+missing. Tried on Debian 12 and 13; Ubuntu and others are untried.
 END
 }
 
@@ -46,7 +45,7 @@ install_packages() {
   case $release in
     "debian 12") ;;
     "debian 13") packages+=(mold) ;; # its deal.II links with -fuse-ld=mold
-    *) say "Untried on this system ($release); tried on Debian 12 and, in Release, on Debian 13" ;;
+    *) say "Untried on this system ($release); tried on Debian 12 and 13" ;;
   esac
 
   local missing=() package
