@@ -72,7 +72,7 @@ namespace mpm_granular::Transfer
   void
   Filling<dim>::serialize(Core::Archive &archive)
   {
-    archive.distributed("grid/filling", parts, n_nodes);
+    archive.distributed("filling/volumes", parts, n_nodes);
   }
 
   template class Filling<2>;

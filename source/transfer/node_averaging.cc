@@ -337,7 +337,7 @@ namespace mpm_granular::Transfer
   NodeAveraging<dim>::serialize(Core::Archive &archive)
   {
     filling.serialize(archive);
-    archive.distributed("grid/averaging", parts, n_parts);
+    archive.distributed("averaging/stresses", parts, n_parts);
   }
 
   template class NodeAveraging<2>;

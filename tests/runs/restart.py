@@ -122,7 +122,7 @@ interrupt("2D", 2)
 interrupt("3D", 3)
 SCHEMES = (["Scheme/Mass matrix=near-consistent"],
            ["Scheme/Averaging=nodes", "Scheme/Pressure filter rate=100"],
-           ["Scheme/Stress order=USF"],
+           ["Scheme/Stress order=USF", "Scheme/Averaging=nodes"],
            ["Time step/Type=fixed", "Time step/Fixed step=2e-4"])
 for scheme in SCHEMES[:2] if IS_DEBUG else SCHEMES:
     interrupt(" ".join(scheme), 2, tuple(scheme))
