@@ -10,8 +10,8 @@ namespace mpm_granular::Transfer
     template <class Cell>
     struct MassAndMomentum
     {
-      Grid::MassMatrix<Cell> mass;
-      double                 momentum[Cell::dim][Cell::n_nodes];
+      Grid::CellMass<Cell> mass;
+      double               momentum[Cell::dim][Cell::n_nodes];
     };
 
     /// Adds V sigma of a point.

@@ -11,11 +11,11 @@ namespace mpm_granular::Grid
 {
   /// The consistent mass matrix of a cell, M_ij = sum_p m_p N_i N_j [kg].
   template <class Cell>
-  struct MassMatrix;
+  struct CellMass;
 
   /// Of a simplex, in full storage.
   template <int dim>
-  struct MassMatrix<Mesh::SimplexCell<dim>>
+  struct CellMass<Mesh::SimplexCell<dim>>
   {
     static constexpr unsigned int n_nodes = dim + 1;
 
@@ -39,7 +39,7 @@ namespace mpm_granular::Grid
     }
 
     void
-    operator+=(const MassMatrix &other)
+    operator+=(const CellMass &other)
     {
       for (unsigned int i = 0; i < entries.size(); ++i)
         entries[i] += other.entries[i];
@@ -52,7 +52,7 @@ namespace mpm_granular::Grid
    * entries are among 3^dim numbers, and M_ij is number place(i) + place(j).
    */
   template <int dim>
-  struct MassMatrix<Mesh::BoxCell<dim>>
+  struct CellMass<Mesh::BoxCell<dim>>
   {
     using Cell                              = Mesh::BoxCell<dim>;
     static constexpr unsigned int n_nodes   = Cell::n_nodes;
@@ -103,7 +103,7 @@ namespace mpm_granular::Grid
     }
 
     void
-    operator+=(const MassMatrix &other)
+    operator+=(const CellMass &other)
     {
       for (unsigned int i = 0; i < n_numbers; ++i)
         entries[i] += other.entries[i];
@@ -157,7 +157,7 @@ namespace mpm_granular::Grid
   {
     static constexpr unsigned int n_nodes = Cell::n_nodes;
 
-    MassMatrix<Cell> mass;
+    CellMass<Cell> mass;
 
     /// Momentum sum_p m_p N_i v_p, components first [kg m/s].
     std::array<std::array<double, n_nodes>, Cell::dim> momentum;
