@@ -62,8 +62,10 @@ old, and is compared there. With $V_0$ = 0.1 m/s points cross cells from some
 refinement on, which linear shape functions do not survive without error (Steffen,
 Kirby & Berzins, *Int. J. Numer. Meth. Eng.* 76 (2008) 922): no convergence is
 expected, and none is seen. With means over cells or around nodes
-(`Scheme/Averaging`, T40 to T43) the error does not grow. The formula is that of
-small strains; at 0.1 m/s the strain reaches 0.01, and some 0.003 remain.
+(`Scheme/Averaging`, T40 to T43) the error does not grow in the plane: the formula is
+that of small strains, at 0.1 m/s the strain reaches 0.01, and some 0.003 remain. In
+space it is smaller around nodes than without, but grows with the finest mesh; means
+over cells even feed energy into the bar there.
 """)
     rows, lines = [], {}
     for dim in (2, 3):
@@ -84,7 +86,7 @@ small strains; at 0.1 m/s the strain reaches 0.01, and some 0.003 remain.
             name = f"{dim}D, {speed:g} m/s" + (
                 f", means of {averaging}" if averaging != "none" else "")
             lines[name] = (sizes, displacement)
-            if averaging != "none":
+            if averaging != "none" and dim == 2:
                 suite.check(f"{name}: the finest error over the one before",
                             displacement[-1] / displacement[-2], most=1.1)
             if speed == 1e-3:

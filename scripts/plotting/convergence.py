@@ -42,7 +42,11 @@ def draw_convergence(axes, series, orders=(), size_label="size of cells h [m]",
         axes.set_xticks(every)
         axes.set_xticklabels([f"{size:.3g}" for size in every])
         axes.minorticks_off()
-    axes.legend(fontsize=9)
+    if len(series) <= 4:
+        axes.legend(fontsize=9)
+    else:
+        axes.legend(fontsize=8, ncol=2, loc="upper center",
+                    bbox_to_anchor=(.5, -.16))
 
 
 def new_figure(n_panels=1):
