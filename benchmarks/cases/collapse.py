@@ -86,3 +86,10 @@ def surface(run):
     profile = numpy.genfromtxt(run.folder / "profile.csv", delimiter=",",
                                names=True)
     return profile["x"], profile["height"]
+
+
+def slope(place, height):
+    """Angle [degrees] of the surface between a fifth and four fifths of the
+    height, by least squares."""
+    part = (height > .2 * height.max()) & (height < .8 * height.max())
+    return math.degrees(math.atan(-numpy.polyfit(place[part], height[part], 1)[0]))

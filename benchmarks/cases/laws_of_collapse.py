@@ -87,7 +87,7 @@ def draw_laws(axes, laws, quantity, aspects):
     for law, dashes in zip(laws, ("-", "--")):
         axes.loglog(fine, getattr(law, quantity)(fine), color="0.4",
                     linestyle=dashes, linewidth=1.2, label=law.who)
-    axes.set_xlabel("a = initial height / width")
+    axes.set_xlabel("initial aspect ratio a")
     axes.set_xticks(aspects)
     axes.set_xticklabels([f"{aspect:g}" for aspect in aspects])
     axes.minorticks_off()
