@@ -42,7 +42,7 @@ class Column:
         wave_speed = math.sqrt(young / DENSITY * (1 - POISSON) /
                                ((1 + POISSON) * (1 - 2 * POISSON)))
         return {
-            "End time": 5 * self.time,
+            "End time": 7 * self.time,
             "Mesh/Upper corner": boxes(n_along * size, n_up * size),
             "Mesh/Subdivisions": boxes(n_along, n_up),
             "Materials/sand/Young modulus": young,

@@ -23,13 +23,10 @@ class Laws:
     words: list
 
 
-def _pieces(*pieces):
-    """A function by (least a, function), in rising order."""
-    def value(aspect):
-        aspect = numpy.asarray(aspect, dtype=float)
-        return numpy.select([aspect >= least for least, _ in pieces[::-1]],
-                            [law(aspect) for _, law in pieces[::-1]])
-    return value
+def _two(least, low_law, high_law):
+    """A law below `least` and another one from there on."""
+    return lambda aspect: numpy.where(numpy.asarray(aspect) < least,
+                                      low_law(aspect), high_law(aspect))
 
 
 def _between(low, high, law_below, law_above):
@@ -47,32 +44,32 @@ def _between(low, high, law_below, law_above):
 LUBE_PLANE = Laws(
     "Lube et al. 2005",
     _between(1.8, 2.8, lambda a: 1.2 * a, lambda a: 1.9 * a**(2 / 3)),
-    _pieces((0., lambda a: a), (1.15, lambda a: 1.1 * a**.4)), 3.3,
+    lambda a: numpy.minimum(a, 1.1 * a**.4), 3.3,
     ["1.2 a (a < 1.8), 1.9 a^(2/3) (a > 2.8)",
-     "a (a < 1.15), 1.1 a^(2/5) above", "3.3"])
+     "a, at most 1.1 a^(2/5)", "3.3"])
 
 # J. Fluid Mech. 508 (2004) 175.
 LUBE_ROUND = Laws(
     "Lube et al. 2004",
-    _pieces((0., lambda a: 1.24 * a), (1.7, lambda a: 1.6 * a**.5)),
-    _pieces((0., lambda a: a), (1., lambda a: .88 * a**(1 / 6))), 3.,
+    _two(1.7, lambda a: 1.24 * a, lambda a: 1.6 * a**.5),
+    lambda a: numpy.minimum(a, .88 * a**(1 / 6)), 3.,
     ["1.24 a (a < 1.7), 1.6 a^(1/2) above",
-     "a (a < 1), 0.88 a^(1/6) above", "3.0"])
+     "a, at most 0.88 a^(1/6)", "3.0"])
 
 # Phys. Fluids 17 (2005) 103302: the lines of its figures, whose points scatter by
 # 10 to 20 per cent about them.
 LAJEUNESSE_PLANE = Laws(
     "Lajeunesse et al. 2005",
-    _pieces((0., lambda a: 1.8 * a), (3., lambda a: 2.6 * a**(2 / 3))),
-    _pieces((0., lambda a: a), (.7, lambda a: .9 * a**(1 / 3))), 3.,
+    _two(3., lambda a: 1.8 * a, lambda a: 2.6 * a**(2 / 3)),
+    lambda a: numpy.minimum(a, .9 * a**(1 / 3)), 3.,
     ["1.8 a (a < 3), 2.6 a^(2/3) above",
-     "a (a < 0.7), 0.9 a^(1/3) above", "3"])
+     "a, at most 0.9 a^(1/3)", "3"])
 
 LAJEUNESSE_ROUND = Laws(
     "Lajeunesse et al. 2005",
-    _pieces((0., lambda a: 1.2 * a), (3., lambda a: 1.8 * a**.5)),
-    _pieces((0., lambda a: a), (.7, lambda a: .7 + 0. * a)), 3.,
-    ["1.2 a (a < 3), 1.8 a^(1/2) above", "a (a < 0.7), 0.7 above", "3"])
+    _two(3., lambda a: 1.2 * a, lambda a: 1.8 * a**.5),
+    lambda a: numpy.minimum(a, .7), 3.,
+    ["1.2 a (a < 3), 1.8 a^(1/2) above", "a, at most 0.7", "3"])
 
 
 def table_of_laws(suite, laws):
@@ -88,8 +85,7 @@ def draw_laws(axes, laws, quantity, aspects):
         axes.loglog(fine, getattr(law, quantity)(fine), color="0.4",
                     linestyle=dashes, linewidth=1.2, label=law.who)
     axes.set_xlabel("initial aspect ratio a")
-    axes.set_xticks(aspects)
-    axes.set_xticklabels([f"{aspect:g}" for aspect in aspects])
+    axes.set_xticks(aspects, [f"{aspect:g}" for aspect in aspects])
     axes.minorticks_off()
 
 

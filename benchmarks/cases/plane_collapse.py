@@ -28,17 +28,22 @@ def header(first):
             "to Lajeunesse", "time", "area"]
 
 
-def check(suite, name, deposit):
-    suite.check(f"{name}: area over the initial one", deposit.area, .9, 1.1)
-    suite.check(f"{name}: kinetic energy at the end over the initial potential "
-                "energy", deposit.kinetic, most=1e-3)
+def check(suite, name, deposits):
+    """Asserts that volume is kept and that the deposits rest."""
+    areas = [deposit.area for deposit in deposits]
+    suite.check(f"{name}: least area over the initial one", min(areas), least=.9)
+    suite.check(f"{name}: largest area over the initial one", max(areas),
+                most=1.1)
+    suite.check(f"{name}: largest kinetic energy at the end over the initial "
+                "potential energy", max(deposit.kinetic for deposit in deposits),
+                most=1e-3)
 
 
 def validate(suite):
     if suite.quick:
         column = Column(1., 30., 8)
         deposit = collapse(suite, "quick", column)
-        check(suite, "column", deposit)
+        check(suite, "column", [deposit])
         suite.check("column: run-out between the laws, with 20 %",
                     deposit.run_out, .8 * LUBE_PLANE.run_out(1.),
                     1.2 * LAJEUNESSE_PLANE.run_out(1.))
@@ -60,7 +65,7 @@ run-out a straight line is used here. Lajeunesse: *Phys. Fluids* 17 (2005) 10330
 beads with an angle of repose of 22°, which begin to slide at 27°; their papers give the
 powers, and the factors are read off the lines of their figures (by 3 %), about which the
 measurements scatter by 10 to 20 %. In the experiments the front is that of the
-connected deposit.
+connected deposit. Lube's laws are quoted as they usually are in the literature.
 
 Computed are columns 0.1 m wide with friction angles of 22° and 30° matched to plane
 strain, 16 cells over the width, 4 points per triangle, `Scheme/Averaging = nodes`, with
@@ -76,17 +81,24 @@ final value, over $\sqrt{H/g}$. Area: of the deposit in a side view, over the in
             deposit = collapse(suite, f"{angle:g}_degrees_{aspect:g}", column)
             deposits[angle, aspect] = deposit
             rows.append(row(f"{aspect:g}", column, deposit))
-            check(suite, f"{angle:g} degrees, a = {aspect:g}", deposit)
+        check(suite, f"{angle:g} degrees", [deposits[angle, aspect]
+                                            for aspect in ASPECTS])
         suite.text(f"Friction angle {angle:g}°:")
         suite.table(header("a"), rows)
-        for quantity, least in (("run_out", 3.), ("height", 1.)):
-            tall = [aspect for aspect in ASPECTS if aspect >= least]
-            power = numpy.polyfit(
-                numpy.log(tall), numpy.log([getattr(deposits[angle, aspect],
-                                                    quantity)
-                                            for aspect in tall]), 1)[0]
-            suite.text(f"Power of a in the {quantity.replace('_', '-')} for "
-                       f"a ≥ {least:g}: {power:.2f}.")
+    powers = {(angle, quantity): numpy.polyfit(
+        *numpy.log([(aspect, getattr(deposits[angle, aspect], quantity))
+                    for aspect in ASPECTS if aspect >= least]).T, 1)[0]
+              for angle in (22., 30.)
+              for quantity, least in (("run_out", 3.), ("height", 1.))}
+    suite.text(rf"""
+For $a \ge 3$ the run-out grows as $a^{{{powers[22., "run_out"]:.2f}}}$ at 22° and
+$a^{{{powers[30., "run_out"]:.2f}}}$ at 30°, the height for $a \ge 1$ as
+$a^{{{powers[22., "height"]:.2f}}}$ and $a^{{{powers[30., "height"]:.2f}}}$. Balmforth & Kerswell,
+*J. Fluid Mech.* 538 (2005) 399, found $a^{{0.9 \pm 0.1}}$ for the run-out in a wide channel and
+$a^{{0.65 \pm 0.05}}$ in a narrow slot, with factors that depend on the material: friction
+at the side walls, which plane strain does not have, holds tall columns back, and the
+lower powers of the laws above belong to channels.
+""")
 
     def draw(left, right):
         for axes, quantity, label in (
@@ -95,8 +107,8 @@ final value, over $\sqrt{H/g}$. Area: of the deposit in a side view, over the in
             draw_laws(axes, LAWS, quantity, ASPECTS)
             for index, angle in enumerate((22., 30.)):
                 style = line_style(index) | {"linewidth": 0.}
-                axes.loglog(ASPECTS, [getattr(deposits[angle, aspect], quantity)
-                                      for aspect in ASPECTS],
+                axes.plot(ASPECTS, [getattr(deposits[angle, aspect], quantity)
+                                    for aspect in ASPECTS],
                             label=f"friction angle {angle:g}°", **style)
             axes.set_ylabel(label)
         ticks = [.5, 1, 2, 5, 10]
@@ -124,7 +136,7 @@ final value, over $\sqrt{H/g}$. Area: of the deposit in a side view, over the in
         for law, dashes in zip(LAWS, ("-", "--")):
             right.axvline(law.duration, color="0.4", linestyle=dashes,
                           linewidth=1.2, label=law.who)
-        right.set_xlim(0., 5.)
+        right.set_xlim(0., 7.)
         right.set_xlabel("time / sqrt(H/g)")
         right.set_ylabel("run-out / final run-out")
         right.legend(fontsize=9)
@@ -134,12 +146,25 @@ final value, over $\sqrt{H/g}$. Area: of the deposit in a side view, over the in
 
 
 def variants(suite):
-    """What the result for one column depends on."""
+    """What the results depend on."""
+    suite.text("Cells over the width, friction angle 30°:")
+    rows = []
+    for aspect in (.5, 1., 2., 3.):
+        fronts, heights = [], []
+        for n_cells in (8, 16, 32):
+            name = "30_degrees" if n_cells == 16 else f"{n_cells}_cells"
+            deposit = collapse(suite, f"{name}_{aspect:g}",
+                               Column(aspect, 30., n_cells))
+            fronts.append(deposit.run_out)
+            heights.append(deposit.height)
+        rows.append([f"{aspect:g}", *fronts, *[
+            deviation(fronts[-1], law.run_out(aspect)) for law in LAWS],
+            *heights])
+    suite.table(["a", "run-out: 8 cells", "16", "32", "32 to Lube",
+                 "32 to Lajeunesse", "height: 8 cells", "16", "32"], rows)
     suite.text("What this depends on, for a = 2 and 30°:")
     settings = [
         ("as above", {}, {}),
-        ("8 cells over the width", {"n_cells": 8}, {}),
-        ("32 cells", {"n_cells": 32}, {}),
         ("no averaging", {"averaging": "none"}, {}),
         ("no averaging, 8 cells", {"averaging": "none", "n_cells": 8}, {}),
         ("no averaging, 32 cells", {"averaging": "none", "n_cells": 32}, {}),
@@ -154,7 +179,17 @@ def variants(suite):
     rows = []
     for label, changes, entries in settings:
         column = Column(2., 30., settings=entries, **changes)
-        name = label.replace(" ", "_").replace("/", "_")
+        name = label.replace(" ", "_").replace("/", "_").replace(",", "")
         rows.append(row(label, column, collapse(suite, f"variant_{name}",
                                                 column)))
     suite.table(header("a = 2, 30°"), rows)
+    suite.text("""
+What this shows. The friction angle moves the run-out most; the model has no reason to
+give the same for all materials, as the laws say. The cone of the paper is stronger
+in plane strain (36° for an angle of 30°), and so is a fluidity of 100/s, as the
+sand shears at some 10/s. The floor matters little only as long as it is rougher than
+the sand is in itself: without friction the column slides away. The front is a
+thin toe, which each refinement resolves better: of all figures here run-outs are those
+least converged, and they grow with the number of cells; heights change little. Stiffness and
+step do not matter.
+""")

@@ -169,10 +169,10 @@ four fifths of its height.
             for index, angle in enumerate((22., 30.)):
                 found = [deposit for (phi, _), deposit in deposits.items()
                          if phi == angle]
-                axes.loglog([deposit["aspect"] for deposit in found],
-                            [deposit[quantity] for deposit in found],
-                            label=f"friction angle {angle:g}°",
-                            **line_style(index) | {"linewidth": 0.})
+                axes.plot([deposit["aspect"] for deposit in found],
+                          [deposit[quantity] for deposit in found],
+                          label=f"friction angle {angle:g}°",
+                          **line_style(index) | {"linewidth": 0.})
             axes.set_ylabel(label)
         left.set_yticks([.5, 1., 2., 4.], [".5", "1", "2", "4"])
         right.set_yticks([.4, .5, .7, 1.], [".4", ".5", ".7", "1"])
