@@ -15,6 +15,9 @@ TITLE = "Round columns in 3D"
 
 LAWS = [LUBE_ROUND, LAJEUNESSE_ROUND]
 ASPECTS = [.5, 1., 2., 4.]
+# Friction angle [degrees] and cells over the radius; the tallest column is too dear on
+# the finer mesh.
+SERIES = {(22., 10): ASPECTS[:3], (30., 10): ASPECTS[:3], (30., 7): ASPECTS}
 EXTENT = .1  # cells whose centres are nearer to the axis are filled [m]
 
 
@@ -141,37 +144,38 @@ computed between planes of symmetry, on a box of tetrahedra.
 Lube: *J. Fluid Mech.* 508 (2004) 175, sand, salt, sugar, rice and others. Lajeunesse:
 *Phys. Fluids* 17 (2005) 103302 and *Phys. Fluids* 16 (2004) 2371, glass beads, factors
 read off the lines of their figures. The cylinder is one of cubes (of 5 tetrahedra) whose
-centres are within 10 cells of the axis; $R$ is the radius of a circle of this area, and $a$
+centres are within 10 (or 7) cells of the axis; $R$ is the radius of a circle of this area, and $a$
 the true ratio of height to it. One point per tetrahedron, `Scheme/Averaging = nodes`,
 the cone of the paper (a mean of triaxial compression and extension). Front:
 within it are 99.9 % of the points. Slope: of the surface of the deposit between a fifth and
 four fifths of its height.
 """)
-    deposits, rows = {}, []
-    for angle in (22., 30.):
-        for aspect in ASPECTS:
-            if (angle, aspect) == (22., 4.):
-                continue  # the dearest run; what it would show, 2 shows
-            column = RoundColumn(aspect, angle)
-            deposit = collapse(suite, f"{angle:g}_degrees_{aspect:g}", column)
-            deposits[angle, aspect] = deposit | {"aspect": column.true_aspect}
-            rows.append(row(f"{angle:g}", column, deposit))
-            suite.check(f"{angle:g} degrees, a = {aspect:g}: kinetic energy at "
-                        "the end over the initial potential energy",
-                        deposit["kinetic"], most=2e-3)
-    suite.table(header("friction angle"), rows)
+    found, rows = {}, []
+    for (angle, n_cells), aspects in SERIES.items():
+        found[angle, n_cells] = []
+        for aspect in aspects:
+            column = RoundColumn(aspect, angle, n_cells)
+            name = f"{angle:g}_degrees_{n_cells}_cells_{aspect:g}"
+            deposit = collapse(suite, name, column)
+            found[angle, n_cells].append(
+                deposit | {"aspect": column.true_aspect})
+            rows.append(row(f"{angle:g}°, {n_cells} cells", column, deposit))
+        suite.check(f"{angle:g} degrees, {n_cells} cells: largest kinetic "
+                    "energy at the end over the initial potential energy",
+                    max(deposit["kinetic"] for deposit in found[angle, n_cells]),
+                    most=2e-3)
+    suite.table(header(""), rows)
 
     def draw(left, right):
         for axes, quantity, label in (
                 (left, "run_out", "(run-out - R) / R"),
                 (right, "height", "final height / R")):
             draw_laws(axes, LAWS, quantity, ASPECTS)
-            for index, angle in enumerate((22., 30.)):
-                found = [deposit for (phi, _), deposit in deposits.items()
-                         if phi == angle]
-                axes.plot([deposit["aspect"] for deposit in found],
-                          [deposit[quantity] for deposit in found],
-                          label=f"friction angle {angle:g}°",
+            for index, ((angle, n_cells), deposits) in enumerate(
+                    found.items()):
+                axes.plot([deposit["aspect"] for deposit in deposits],
+                          [deposit[quantity] for deposit in deposits],
+                          label=f"{angle:g}°, {n_cells} cells",
                           **line_style(index) | {"linewidth": 0.})
             axes.set_ylabel(label)
         left.set_yticks([.5, 1., 2., 4.], [".5", "1", "2", "4"])
@@ -183,8 +187,7 @@ four fifths of its height.
     suite.text("What this depends on, for a = 1 and 30°:")
     rows = []
     for label, changes in (
-            ("as above", {}), ("7 cells over the radius", {"n_cells": 7}),
-            ("14 cells", {"n_cells": 14}),
+            ("10 cells, as above", {}), ("14 cells", {"n_cells": 14}),
             ("4 points per tetrahedron", {"n_points": 4}),
             ("no averaging, 4 points per tetrahedron",
              {"n_points": 4, "settings": {"Scheme/Averaging": "none"}}),
@@ -194,8 +197,15 @@ four fifths of its height.
              {"settings": {"Boundary conditions/floor/Type": "roller"}})):
         column = RoundColumn(1., 30., **changes)
         rows.append(row(label, column, collapse(
-            suite, f"variant_{label.replace(' ', '_')}", column)))
+            suite, f"variant_{label.replace(' ', '_').replace(',', '')}",
+            column)))
     suite.table(header("a = 1, 30°"), rows)
+    suite.text("""
+Run-outs are too short, and grow with the number of cells: the toe of a round deposit is
+thinner than a cell over much of its length, and on a rough floor a layer of one cell
+cannot slide. They are to be read together with the columns in plane strain above, on
+meshes twice as fine.
+""")
 
 
 def row(label, column, deposit):
