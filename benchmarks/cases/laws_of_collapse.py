@@ -23,12 +23,6 @@ class Laws:
     words: list
 
 
-def _two(least, low_law, high_law):
-    """A law below `least` and another one from there on."""
-    return lambda aspect: numpy.where(numpy.asarray(aspect) < least,
-                                      low_law(aspect), high_law(aspect))
-
-
 def _between(low, high, law_below, law_above):
     """A law below `low`, another one above `high`, a straight line between."""
     def value(aspect):
@@ -51,25 +45,25 @@ LUBE_PLANE = Laws(
 # J. Fluid Mech. 508 (2004) 175.
 LUBE_ROUND = Laws(
     "Lube et al. 2004",
-    _two(1.7, lambda a: 1.24 * a, lambda a: 1.6 * a**.5),
+    lambda a: numpy.minimum(1.24 * a, 1.6 * a**.5),
     lambda a: numpy.minimum(a, .88 * a**(1 / 6)), 3.,
-    ["1.24 a (a < 1.7), 1.6 a^(1/2) above",
+    ["1.24 a, at most 1.6 a^(1/2)",
      "a, at most 0.88 a^(1/6)", "3.0"])
 
 # Phys. Fluids 17 (2005) 103302: the lines of its figures, whose points scatter by
 # 10 to 20 per cent about them.
 LAJEUNESSE_PLANE = Laws(
     "Lajeunesse et al. 2005",
-    _two(3., lambda a: 1.8 * a, lambda a: 2.6 * a**(2 / 3)),
+    lambda a: numpy.minimum(1.8 * a, 2.6 * a**(2 / 3)),
     lambda a: numpy.minimum(a, .9 * a**(1 / 3)), 3.,
-    ["1.8 a (a < 3), 2.6 a^(2/3) above",
+    ["1.8 a, at most 2.6 a^(2/3)",
      "a, at most 0.9 a^(1/3)", "3"])
 
 LAJEUNESSE_ROUND = Laws(
     "Lajeunesse et al. 2005",
-    _two(3., lambda a: 1.2 * a, lambda a: 1.8 * a**.5),
+    lambda a: numpy.minimum(1.2 * a, 1.8 * a**.5),
     lambda a: numpy.minimum(a, .7), 3.,
-    ["1.2 a (a < 3), 1.8 a^(1/2) above", "a, at most 0.7", "3"])
+    ["1.2 a, at most 1.8 a^(1/2)", "a, at most 0.7", "3"])
 
 
 def table_of_laws(suite, laws):

@@ -23,8 +23,8 @@ $\sqrt{H/g}$. Measured angles of repose are those of slow heaps. The
 cone is matched to plane strain, $m = \sqrt3 \sin\varphi$; with it a slope without
 cohesion stands up to $\varphi$ if its stresses can choose (Mohr and Coulomb), while a
 long layer that flows at constant volume stops at $\arctan(m/\sqrt3) = \arctan
-\sin\varphi$ ([verification](../verification/README.md), f). A slow heap is to lie
-between the two; inertia makes deposits flatter.
+\sin\varphi$ ([verification](../verification/README.md), f). Slow heaps are expected at
+the lower of the two or above; inertia makes deposits flatter.
 """)
     rows, slopes = [], {"fast": [], "slow": []}
     for angle in ANGLES:
@@ -41,6 +41,12 @@ between the two; inertia makes deposits flatter.
         suite.check(f"{angle:g} degrees: slow slope below the friction angle "
                     "(by 2 degrees)", slopes["slow"][-1], most=angle + 2)
     suite.table(["friction angle", "arctan sin", "fast", "slow"], rows)
+    below = [flowing(angle) - found
+             for angle, found in zip(ANGLES, slopes["slow"])]
+    suite.text(f"""
+Slow heaps stop {min(below):.1f}° to {max(below):.1f}° below the slope of a flowing layer, by
+more for large angles, whose heaps keep a rounded top. Fast collapses leave about half of it.
+""")
 
     def draw(axes):
         axes.plot(ANGLES, ANGLES, "k--", linewidth=1., label="friction angle")

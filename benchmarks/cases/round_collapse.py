@@ -204,7 +204,8 @@ four fifths of its height.
 Run-outs are too short, and grow with the number of cells: the toe of a round deposit is
 thinner than a cell over much of its length, and on a rough floor a layer of one cell
 cannot slide. They are to be read together with the columns in plane strain above, on
-meshes twice as fine.
+finer meshes. Heights are those of points, which lie up to half a cell, 0.05 R, below the
+surface. Taller columns, up to a = 8, are left to plane strain for the time they take.
 """)
 
 
