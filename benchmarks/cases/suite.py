@@ -2,14 +2,11 @@
 
 import dataclasses
 import math
-import pathlib
 
 import numpy
 from plotting.convergence import new_figure, save_small
+from studies.program import ROOT
 from studies.tables import markdown, number
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-INPUTS = ROOT / "prm" / "verification"
 
 
 @dataclasses.dataclass
@@ -36,11 +33,13 @@ class Check:
 class Suite:
     """Runs the program for the cases and collects their page.
 
-    quick: cases run their smallest form, without pictures.
+    subject: the folder of prm/ with their inputs; quick: cases run their smallest
+    form, without pictures.
     """
 
-    def __init__(self, program, pictures, quick):
+    def __init__(self, program, subject, pictures, quick):
         self.program = program
+        self.subject = subject
         self.pictures = pictures
         self.quick = quick
         self.lines, self.checks, self.inputs = [], [], []
@@ -48,11 +47,11 @@ class Suite:
         self.title, self.n_checks_before = "", 0
 
     def run(self, case, name, settings=None):
-        """The run `name` of prm/verification/CASE.prm."""
+        """The run `name` of prm/SUBJECT/CASE.prm."""
         if case not in self.inputs:
             self.inputs.append(case)
-        return self.program.run(INPUTS / f"{case}.prm", f"{case}/{name}",
-                                settings)
+        return self.program.run(ROOT / "prm" / self.subject / f"{case}.prm",
+                                f"{case}/{name}", settings)
 
     def begin(self, title):
         """Begins the section of a case."""
@@ -68,9 +67,10 @@ class Suite:
                              sum(check.holds for check in checks)])
         rows = [[check.what, number(check.value), check.band,
                  "yes" if check.holds else "**no**"] for check in checks]
-        self.lines += [markdown(["checked", "measured", "allowed", "holds"],
-                                rows)]
-        files = [f"[{name}.prm](../../prm/verification/{name}.prm)"
+        if rows:
+            self.lines += [markdown(["checked", "measured", "allowed", "holds"],
+                                    rows)]
+        files = [f"[{name}.prm](../../prm/{self.subject}/{name}.prm)"
                  for name in self.inputs]
         self.lines += [f"Inputs: {', '.join(files)}.\n"]
 

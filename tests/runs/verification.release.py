@@ -1,4 +1,4 @@
-"""The quick form of the verification suite: all its checks hold."""
+"""The quick forms of verification and validation: all their checks hold."""
 
 import os
 import pathlib
@@ -7,8 +7,11 @@ import sys
 import tempfile
 
 SOURCE = pathlib.Path(os.environ["MPM_SOURCE_DIR"])
-with tempfile.TemporaryDirectory(prefix="mpm_test_") as folder:
-    process = subprocess.run(
-        [sys.executable, SOURCE / "benchmarks" / "verify", "--quick",
-         "--runs", folder], stdin=subprocess.DEVNULL, check=False)
-sys.exit(process.returncode)
+failed = 0
+for command in ("verify", "validate"):
+    with tempfile.TemporaryDirectory(prefix="mpm_test_") as folder:
+        process = subprocess.run(
+            [sys.executable, SOURCE / "benchmarks" / command, "--quick",
+             "--runs", folder], stdin=subprocess.DEVNULL, check=False)
+    failed |= process.returncode
+sys.exit(failed)
