@@ -7,7 +7,7 @@ from plotting.convergence import draw_convergence
 from studies.orders import observed_orders
 from studies.program import read_parameters
 
-from .suite import INPUTS, boxes, matched
+from .suite import boxes, matched
 
 TITLE = "d: manufactured solution"
 
@@ -22,7 +22,7 @@ AVERAGING = {"none": {}, "cells": {"Scheme/Averaging": "cells"},
 
 def manufactured(suite, dim, n_cells, amplitude, points, averaging="none"):
     """The run with the amplitude in place of the input's 0.0001."""
-    entries = read_parameters(INPUTS / f"manufactured_{dim}d.prm")
+    entries = read_parameters(suite.input_file(f"manufactured_{dim}d"))
     return suite.run(
         f"manufactured_{dim}d",
         f"{n_cells}_cells_amplitude_{amplitude:g}_{points}_points" + (

@@ -46,12 +46,16 @@ class Suite:
         self.summary = []  # of each section: title, checks, checks that hold
         self.title, self.n_checks_before = "", 0
 
+    def input_file(self, case):
+        """prm/SUBJECT/CASE.prm."""
+        return ROOT / "prm" / self.subject / f"{case}.prm"
+
     def run(self, case, name, settings=None):
-        """The run `name` of prm/SUBJECT/CASE.prm."""
+        """The run `name` of the input of a case."""
         if case not in self.inputs:
             self.inputs.append(case)
-        return self.program.run(ROOT / "prm" / self.subject / f"{case}.prm",
-                                f"{case}/{name}", settings)
+        return self.program.run(self.input_file(case), f"{case}/{name}",
+                                settings)
 
     def begin(self, title):
         """Begins the section of a case."""
