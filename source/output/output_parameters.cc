@@ -47,10 +47,11 @@ namespace mpm_granular::Output
                       "that has no factor in common with the points per cell "
                       "takes all places in a cell in turn.",
                       dealii::Patterns::Integer(1));
-    prm.add_parameter("Write grid",
-                      write_grid,
-                      "Whether the mesh is written beside the points, with mass, "
-                      "velocity and mean pressure of its nodes.");
+    prm.add_parameter(
+      "Write grid",
+      write_grid,
+      "Whether the mesh is written beside the points, with mass, "
+      "velocity and mean pressure of its nodes.");
     prm.add_parameter(
       "Format",
       format,

@@ -411,7 +411,7 @@ namespace mpm_granular::Solver
     const auto &load            = solver.load_balance();
     manifest.n_redistributions  = load.n_redistributions;
     manifest.largest_imbalance  = load.largest_imbalance;
-    const auto         &sent    = solver.nodal_fields().shared.traffic();
+    const auto          sent    = solver.nodal_fields().traffic();
     const std::uint64_t n_steps = solver.step() - before.n_steps;
     if (n_steps > 0)
       {

@@ -9,6 +9,7 @@
 #include "scattered_points.h"
 
 #include <mpm_granular/transfer/averaging.h>
+#include <mpm_granular/transfer/nodal_pressure.h>
 
 #include <iostream>
 #include <limits>
@@ -157,6 +158,11 @@ test(const std::string &name)
       worst         = std::max(worst, full.fields.sums[i].force.norm());
     }
 
+  double worst_pressure = 0.; // p = -1 at all points
+  for (const double p :
+       Transfer::nodal_pressure(full.mesh, full.points.arrays(), full.fields))
+    worst_pressure = std::max(worst_pressure, std::abs(p + 1.));
+
   std::cout << dim << "D, " << name << ": gradients exact "
             << (worst_gradient < 1e-12 && n_strained == points.size())
             << ", no net force " << (force.norm() < 1e-12 * largest)
@@ -165,7 +171,8 @@ test(const std::string &name)
             << "forces do the work of stresses "
             << (std::abs(power + stress_power) < 1e-12 * std::abs(power))
             << ", constant stress acts at the boundary only "
-            << (on_inner < 1e-12 * on_outer) << std::endl;
+            << (on_inner < 1e-12 * on_outer) << ", and is the nodes' pressure "
+            << (worst_pressure < 1e-12) << std::endl;
 }
 
 int

@@ -183,6 +183,16 @@ namespace mpm_granular::Grid
     /// find_shared_cells().
     SharedSums<dim> shared_cells;
 
+    /// What this rank has sent for sums at nodes and in cells so far.
+    typename SharedSums<dim>::Traffic
+    traffic() const
+    {
+      auto sent = shared.traffic();
+      sent.n_messages += shared_cells.traffic().n_messages;
+      sent.n_bytes += shared_cells.traffic().n_bytes;
+      return sent;
+    }
+
     unsigned int
     n_active_nodes() const
     {
