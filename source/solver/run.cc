@@ -357,6 +357,7 @@ namespace mpm_granular::Solver
           of_node[1 + dim] = pressure[slot];
         }
     solver.spread_to_own_cells(values, n_values);
+    solver.background_mesh().interpolate_to_hanging_nodes(values, n_values);
     grid_output.write(solver.time(),
                       solver.step(),
                       solver.background_mesh(),

@@ -1,6 +1,7 @@
 #ifndef mpm_granular_solver_run_parameters_h
 #define mpm_granular_solver_run_parameters_h
 
+#include <mpm_granular/adaptivity/adaptation_parameters.h>
 #include <mpm_granular/boundary/boundary_manager.h>
 #include <mpm_granular/checkpoint/checkpoint_parameters.h>
 #include <mpm_granular/materials/material.h>
@@ -46,6 +47,7 @@ namespace mpm_granular::Solver
     Parameters::Choice<Momentum::Damping<dim>>        damping;
     Time::StepParameters                              time_step;
     Mesh::PartitionParameters                         partition;
+    Adaptivity::AdaptationParameters<dim>             adaptation;
     Output::OutputParameters                          output;
     Observables::ObservablesTable<dim>                observables;
     Checkpoint::CheckpointParameters                  checkpoint;
