@@ -25,7 +25,7 @@ namespace mpm_granular::Transfer
               const double share = shape_values[k] * points.volume[p];
               fields.hanging.add_at(sums,
                                     fields.slot_of(cell.node[k]),
-                                    Sums{share, share * points.pressure(p)});
+                                    Sums{{share, share * points.pressure(p)}});
             }
         }
     });
