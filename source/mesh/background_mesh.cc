@@ -585,6 +585,9 @@ namespace mpm_granular::Mesh
   template void BackgroundMesh<dim>::send_to_ghosts( \
     const std::function<Data(const unsigned int)> &, \
     const std::function<void(const unsigned int, const Data &)> &) const;
+  // What Adaptivity::State sends.
+  INSTANTIATE(2, unsigned int)
+  INSTANTIATE(3, unsigned int)
   // What Partition sends.
   INSTANTIATE(2, std::vector<unsigned int>)
   INSTANTIATE(3, std::vector<unsigned int>)
