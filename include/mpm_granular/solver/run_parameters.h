@@ -35,6 +35,7 @@ namespace mpm_granular::Solver
     bool   remove_lost_points = false;
 
     Parameters::Choice<Mesh::MeshSource<dim>>         mesh;
+    Adaptivity::AdaptationParameters<dim>             adaptation;
     Parameters::NamedGroups<Materials::Material<dim>> materials;
     Parameters::NamedGroups<Points::Region<dim>>      regions;
     Points::InitialState<dim>                         initial_state;
@@ -47,7 +48,6 @@ namespace mpm_granular::Solver
     Parameters::Choice<Momentum::Damping<dim>>        damping;
     Time::StepParameters                              time_step;
     Mesh::PartitionParameters                         partition;
-    Adaptivity::AdaptationParameters<dim>             adaptation;
     Output::OutputParameters                          output;
     Observables::ObservablesTable<dim>                observables;
     Checkpoint::CheckpointParameters                  checkpoint;
