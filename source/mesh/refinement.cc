@@ -1,4 +1,5 @@
 #include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 
 namespace mpm_granular::Mesh
 {
@@ -40,44 +40,6 @@ namespace mpm_granular::Mesh
           return false;
       return true;
     }
-
-    /**
-     * Sets what level the cells are to have after one adaptation: cells with a
-     * common vertex differ by one at most.
-     *
-     * @param may_coarsen whether a cell may become coarser.
-     */
-    template <int dim>
-    void
-    limit_jumps(const Triangulation<dim>                         &triangulation,
-                std::vector<int>                                 &target,
-                const std::function<bool(const Cell<dim> &cell)> &may_coarsen)
-    {
-      std::vector<int> highest(triangulation.n_vertices());
-      for (bool is_changing = true; is_changing;)
-        {
-          is_changing = false;
-          std::fill(highest.begin(), highest.end(), 0);
-          for (const auto &cell : triangulation.active_cell_iterators())
-            for (const unsigned int v : cell->vertex_indices())
-              {
-                int &of_vertex = highest[cell->vertex_index(v)];
-                of_vertex =
-                  std::max(of_vertex, target[cell->active_cell_index()]);
-              }
-          for (const auto &cell : triangulation.active_cell_iterators())
-            {
-              int      &of_cell = target[cell->active_cell_index()];
-              const int before  = of_cell;
-              for (const unsigned int v : cell->vertex_indices())
-                of_cell = std::max(of_cell, highest[cell->vertex_index(v)] - 1);
-              if (of_cell < cell->level() &&
-                  !is_in_family_that<dim>(cell, may_coarsen))
-                of_cell = cell->level();
-              is_changing = is_changing || of_cell != before;
-            }
-        }
-    }
   } // namespace
 
   template <int dim>
@@ -92,40 +54,103 @@ namespace mpm_granular::Mesh
   Refinement<dim>::adapt(const std::vector<std::uint8_t> &wanted_levels)
   {
     AssertDimension(wanted_levels.size(), triangulation.n_active_cells());
-    return p4est != nullptr ? adapt_hypercubes(wanted_levels) :
-                              adapt_simplices(wanted_levels);
+    const std::vector<int> target = target_levels(wanted_levels);
+
+    bool has_changed = false;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (is_own(cell) && target[cell->active_cell_index()] != cell->level())
+        has_changed = true;
+    if (p4est != nullptr)
+      has_changed =
+        Utilities::MPI::logical_or(has_changed, p4est->get_communicator());
+    if (!has_changed)
+      return false;
+    if (p4est != nullptr)
+      adapt_hypercubes(target);
+    else
+      adapt_simplices(target);
+    return true;
   }
 
   template <int dim>
-  bool
-  Refinement<dim>::adapt_simplices(
-    const std::vector<std::uint8_t> &wanted_levels)
+  std::vector<int>
+  Refinement<dim>::target_levels(
+    const std::vector<std::uint8_t> &wanted_levels) const
   {
     std::vector<int> target(wanted_levels.size());
     for (const auto &cell : triangulation.active_cell_iterators())
       {
         const unsigned int index = cell->active_cell_index();
-        target[index]            = std::clamp<int>(given_level +
-                                          wanted_levels[index],
+        target[index] = std::clamp<int>(given_level + wanted_levels[index],
                                         cell->level() - 1,
                                         cell->level() + 1);
       }
-    limit_jumps<dim>(triangulation, target, [&](const Cell<dim> &cell) {
-      return target[cell->active_cell_index()] < cell->level();
-    });
 
-    bool             is_any_refined = false;
+    // What p4est and deal.II would do to keep jumps small depends on who owns
+    // what: leave nothing for them to do.
+    const auto may_coarsen = [&](const Cell<dim> &cell) {
+      return is_own(CellIterator(cell)) &&
+             target[cell->active_cell_index()] < cell->level();
+    };
+    std::vector<int> highest(triangulation.n_vertices());
+    for (bool is_changing = true; is_changing;)
+      {
+        is_changing = false;
+        send_to_ghosts(target);
+        std::fill(highest.begin(), highest.end(), 0);
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (!cell->is_artificial())
+            for (const unsigned int v : cell->vertex_indices())
+              {
+                int &of_vertex = highest[cell->vertex_index(v)];
+                of_vertex =
+                  std::max(of_vertex, target[cell->active_cell_index()]);
+              }
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (is_own(cell))
+            {
+              int      &of_cell = target[cell->active_cell_index()];
+              const int before  = of_cell;
+              for (const unsigned int v : cell->vertex_indices())
+                of_cell = std::max(of_cell, highest[cell->vertex_index(v)] - 1);
+              if (of_cell < cell->level() &&
+                  !is_in_family_that<dim>(cell, may_coarsen))
+                of_cell = cell->level();
+              is_changing = is_changing || of_cell != before;
+            }
+        if (p4est != nullptr)
+          is_changing =
+            Utilities::MPI::logical_or(is_changing, p4est->get_communicator());
+      }
+    return target;
+  }
+
+  template <int dim>
+  void
+  Refinement<dim>::send_to_ghosts(std::vector<int> &values) const
+  {
+    if (p4est == nullptr)
+      return;
+    GridTools::exchange_cell_data_to_ghosts<int, Triangulation>(
+      triangulation,
+      [&](const CellIterator &cell) {
+        return values[cell->active_cell_index()];
+      },
+      [&](const CellIterator &cell, const int &value) {
+        values[cell->active_cell_index()] = value;
+      });
+  }
+
+  template <int dim>
+  void
+  Refinement<dim>::adapt_simplices(const std::vector<int> &target)
+  {
     std::set<CellId> coarsened;
     for (const auto &cell : triangulation.active_cell_iterators())
       {
-        const int of_cell = target[cell->active_cell_index()];
-        is_any_refined    = is_any_refined || of_cell > cell->level();
-        if (of_cell < cell->level())
+        if (target[cell->active_cell_index()] < cell->level())
           coarsened.insert(cell->parent()->id());
       }
-    if (!is_any_refined && coarsened.empty())
-      return false;
-
     keep_given();
     if (coarsened.empty())
       {
@@ -133,7 +158,7 @@ namespace mpm_granular::Mesh
           if (target[cell->active_cell_index()] > cell->level())
             cell->set_refine_flag();
         triangulation.execute_coarsening_and_refinement();
-        return true;
+        return;
       }
     std::set<CellId> refined;
     for_each_refined(triangulation, [&](const auto &cell) {
@@ -144,42 +169,26 @@ namespace mpm_granular::Mesh
       if (target[cell->active_cell_index()] > cell->level())
         refined.insert(cell->id());
     build(refined);
-    return true;
   }
 
   template <int dim>
-  bool
-  Refinement<dim>::adapt_hypercubes(
-    const std::vector<std::uint8_t> &wanted_levels)
+  void
+  Refinement<dim>::adapt_hypercubes(const std::vector<int> &target)
   {
+    // deal.II checks each rank's flags with what it sees around: let it see
+    // those of ghosts, and of their families.
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (!cell->is_artificial())
         {
-          const int wanted =
-            given_level + wanted_levels[cell->active_cell_index()];
-          if (wanted > cell->level())
+          const int of_cell = target[cell->active_cell_index()];
+          if (of_cell > cell->level())
             cell->set_refine_flag();
-          else if (wanted < cell->level())
-            cell->set_coarsen_flag();
+          else if (of_cell < cell->level())
+            for (unsigned int c = 0; c < cell->parent()->n_children(); ++c)
+              if (cell->parent()->child(c)->is_active())
+                cell->parent()->child(c)->set_coarsen_flag();
         }
-    const auto before = own_tree();
     triangulation.execute_coarsening_and_refinement();
-    return Utilities::MPI::logical_or(own_tree() != before,
-                                      p4est->get_communicator());
-  }
-
-  template <int dim>
-  std::vector<types::coarse_cell_id>
-  Refinement<dim>::roots() const
-  {
-    std::vector<types::coarse_cell_id> order(triangulation.n_cells(0));
-    if (p4est == nullptr)
-      std::iota(order.begin(), order.end(), 0);
-    else
-      std::copy(p4est->get_p4est_tree_to_coarse_cell_permutation().begin(),
-                p4est->get_p4est_tree_to_coarse_cell_permutation().end(),
-                order.begin());
-    return order;
   }
 
   template <int dim>
@@ -195,7 +204,8 @@ namespace mpm_granular::Mesh
         else if (p4est == nullptr || cell->is_locally_owned())
           levels.push_back(cell->level());
       };
-    for (const auto root : roots())
+    for (types::coarse_cell_id root = 0; root < triangulation.n_cells(0);
+         ++root)
       walk_down(triangulation.create_cell_iterator(CellId(root, 0, nullptr)));
     return levels;
   }
@@ -239,7 +249,8 @@ namespace mpm_granular::Mesh
             path.pop_back();
           }
       };
-    for (const auto root : roots())
+    for (types::coarse_cell_id root = 0; root < triangulation.n_cells(0);
+         ++root)
       walk_down(root);
     AssertThrow(next == levels.size(), ExcInternalError());
 
@@ -264,8 +275,8 @@ namespace mpm_granular::Mesh
                 continue;
               is_changing = true;
             }
-        is_changing = Utilities::MPI::logical_or(is_changing,
-                                                 p4est->get_communicator());
+        is_changing =
+          Utilities::MPI::logical_or(is_changing, p4est->get_communicator());
         triangulation.execute_coarsening_and_refinement();
         p4est->repartition(); // keeps families together
       }

@@ -74,12 +74,20 @@ namespace mpm_granular::Mesh
 
   private:
     bool
-    adapt_simplices(const std::vector<std::uint8_t> &wanted_levels);
-    bool
-    adapt_hypercubes(const std::vector<std::uint8_t> &wanted_levels);
-    /// The coarsest cells in order; p4est has one of its own.
-    std::vector<dealii::types::coarse_cell_id>
-    roots() const;
+    is_own(const CellIterator &cell) const
+    {
+      return p4est == nullptr || cell->is_locally_owned();
+    }
+
+    /// What levels (of deal.II) cells are to have after one adaptation.
+    std::vector<int>
+    target_levels(const std::vector<std::uint8_t> &wanted_levels) const;
+    void
+    send_to_ghosts(std::vector<int> &values) const;
+    void
+    adapt_simplices(const std::vector<int> &target);
+    void
+    adapt_hypercubes(const std::vector<int> &target);
     std::vector<std::uint8_t>
     own_tree() const;
     void
