@@ -40,6 +40,13 @@ namespace mpm_granular::Adaptivity
   Tensor<1, dim>
   State<dim>::velocity(const unsigned int node) const
   {
+    if (const auto *mean = mesh.hanging_nodes().get_constraint_entries(node))
+      {
+        Tensor<1, dim> sum;
+        for (const auto &[free, weight] : *mean)
+          sum += weight * velocity(free);
+        return sum;
+      }
     const auto &sums = fields.sums[fields.slot_of(node)];
     return sums.momentum / sums.mass;
   }

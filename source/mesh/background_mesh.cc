@@ -4,13 +4,17 @@
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <boost/serialization/array.hpp>
+#include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <mpm_granular/mesh/ask_owners.h>
 #include <mpm_granular/mesh/background_mesh.h>
 #include <mpm_granular/mesh/cell_order.h>
+#include <mpm_granular/mesh/hanging_nodes.h>
 #include <mpm_granular/mesh/point_walk.h>
 
 #include <algorithm>
@@ -82,6 +86,24 @@ namespace mpm_granular::Mesh
         archive &node &normal &area &boundary;
       }
     };
+
+    /// What the owner of a node's DoF knows of it.
+    template <int dim>
+    struct NodeMessage
+    {
+      using Entry = std::pair<types::global_dof_index, double>;
+
+      std::array<double, dim>       position;
+      std::vector<Entry>            mean_of; ///< if it hangs
+      std::vector<FaceMessage<dim>> faces;   ///< around it
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &position &mean_of &faces;
+      }
+    };
   } // namespace
 
   template <int dim>
@@ -100,15 +122,22 @@ namespace mpm_granular::Mesh
       }
     else
       {
-        auto distributed = std::make_unique<Distributed>(communicator);
+        // Cells get new owners by repartition() only: not while the points
+        // have to follow refined cells.
+        auto distributed = std::make_unique<Distributed>(
+          communicator,
+          Triangulation<dim>::none,
+          Distributed::no_automatic_repartitioning);
         p4est            = distributed.get();
         tria             = std::move(distributed);
         fe               = std::make_unique<FE_Q<dim>>(1);
         map              = std::make_unique<MappingQ<dim>>(1);
         all_cells        = std::vector<BoxCell<dim>>();
       }
-    names = source.make(*tria, input_file);
-    dofs.reinit(*tria);
+    names      = source.make(*tria, input_file);
+    refinement = std::make_unique<Refinement<dim>>(*tria);
+    if (p4est != nullptr)
+      p4est->repartition();
     fill();
   }
 
@@ -129,9 +158,64 @@ namespace mpm_granular::Mesh
   }
 
   template <int dim>
+  std::optional<std::vector<unsigned int>>
+  BackgroundMesh<dim>::adapt(const std::vector<std::uint8_t> &wanted_levels)
+  {
+    AssertDimension(wanted_levels.size(), n_cells());
+    std::vector<std::uint8_t> of_active_cells(tria->n_active_cells(), 0);
+    std::vector<CellId>       before;
+    for (unsigned int cell = 0; cell < n_own; ++cell)
+      {
+        of_active_cells[iterators[cell]->active_cell_index()] =
+          wanted_levels[cell];
+        before.push_back(iterators[cell]->id());
+      }
+    if (!refinement->adapt(of_active_cells))
+      return {};
+    fill();
+    return cells_now(before);
+  }
+
+  template <int dim>
+  std::vector<unsigned int>
+  BackgroundMesh<dim>::cells_now(const std::vector<CellId> &before) const
+  {
+    std::vector<unsigned int> result;
+    for (const CellId &id : before)
+      {
+        auto cell = tria->create_cell_iterator(
+          CellId(id.get_coarse_cell_id(), 0, nullptr));
+        for (const auto child : id.get_child_indices())
+          if (cell->has_children())
+            cell = cell->child(child);
+        while (cell->has_children())
+          cell = cell->child(0);
+        result.push_back(flat_index(CellIterator(cell)));
+      }
+    return result;
+  }
+
+  template <int dim>
+  std::vector<std::uint8_t>
+  BackgroundMesh<dim>::refinement_tree() const
+  {
+    return refinement->tree();
+  }
+
+  template <int dim>
+  void
+  BackgroundMesh<dim>::set_refinement_tree(
+    const std::vector<std::uint8_t> &tree)
+  {
+    refinement->grow(tree);
+    fill();
+  }
+
+  template <int dim>
   void
   BackgroundMesh<dim>::fill()
   {
+    dofs.reinit(*tria);
     dofs.distribute_dofs(*fe);
     order_cells();
     number_cells_globally();
@@ -142,7 +226,8 @@ namespace mpm_granular::Mesh
         fill_faces(cells);
       },
       all_cells);
-    complete_at_ghosts();
+    complete_nodes();
+    find_node_volumes();
     measure();
   }
 
@@ -219,7 +304,6 @@ namespace mpm_granular::Mesh
   {
     volumes.resize(cells.size());
     node_positions.resize(global_nodes.size());
-    node_volumes.assign(global_nodes.size(), 0.);
     for (unsigned int index = 0; index < cells.size(); ++index)
       {
         const auto    &iterator = iterators[index];
@@ -248,7 +332,6 @@ namespace mpm_granular::Mesh
           {
             const Point<dim> &vertex     = iterator->vertex(k);
             node_positions[cell.node[k]] = vertex;
-            node_volumes[cell.node[k]] += volumes[index] / Cell::n_nodes;
             // The affine map must bring all vertices to those of the reference
             // cell.
             constexpr double tolerance = 1e-6;
@@ -278,8 +361,7 @@ namespace mpm_granular::Mesh
             const unsigned int number   = face_number(cell, iterator, f);
             if (!iterator->at_boundary(number))
               {
-                cell.neighbor[f] =
-                  flat_indices[iterator->neighbor(number)->active_cell_index()];
+                cell.neighbor[f] = neighbor_of(iterator, number);
                 continue;
               }
             cell.neighbor[f] = no_cell;
@@ -299,88 +381,240 @@ namespace mpm_granular::Mesh
   }
 
   template <int dim>
-  void
-  BackgroundMesh<dim>::complete_at_ghosts()
+  unsigned int
+  BackgroundMesh<dim>::neighbor_of(const CellIterator &cell,
+                                   const unsigned int  face) const
   {
-    if (!is_distributed())
-      return;
-    // The owner of a cell has all cells around its vertices.
-    using Volumes = std::vector<double>;
-    send_to_ghosts<Volumes>(
-      [&](const unsigned int cell) {
-        Volumes of_cell;
-        for (const unsigned int node : nodes(cell))
-          of_cell.push_back(node_volumes[node]);
-        return of_cell;
-      },
-      [&](const unsigned int cell, const Volumes &of_cell) {
-        for (unsigned int k = 0; k < of_cell.size(); ++k)
-          node_volumes[nodes(cell)[k]] = of_cell[k];
-      });
+    auto             neighbor = cell->neighbor(face);
+    const Point<dim> center   = cell->face(face)->center();
+    while (neighbor->has_children())
+      {
+        auto   next    = neighbor->child(0);
+        double nearest = std::numeric_limits<double>::max();
+        for (unsigned int c = 0; c < neighbor->n_children(); ++c)
+          {
+            const auto   child    = neighbor->child(c);
+            const double distance = child->center().distance(center);
+            const bool   is_known =
+              child->has_children() ||
+              flat_index(CellIterator(child)) != unknown_cell;
+            if (is_known && distance < nearest)
+              {
+                nearest = distance;
+                next    = child;
+              }
+          }
+        neighbor = next;
+      }
+    return flat_index(CellIterator(neighbor));
+  }
 
-    std::map<unsigned int, std::vector<unsigned int>> faces_of_node;
-    std::map<types::global_dof_index, unsigned int>   local_node;
+  template <int dim>
+  void
+  BackgroundMesh<dim>::complete_nodes()
+  {
+    std::unordered_map<types::global_dof_index, unsigned int> local_node;
     for (unsigned int node = 0; node < n_nodes(); ++node)
       local_node[global_nodes[node]] = node;
-    using Key         = std::vector<types::global_dof_index>;
-    const auto key_of = [](const FaceMessage<dim> &face) {
-      Key key(face.node.begin(), face.node.end());
-      std::sort(key.begin(), key.end());
-      return key;
-    };
-    std::vector<FaceMessage<dim>> messages;
-    std::set<Key>                 known;
-    for (const auto &face : faces)
-      {
-        FaceMessage<dim> message;
-        for (unsigned int k = 0; k < face.node.size(); ++k)
-          {
-            message.node[k] = global_nodes[face.node[k]];
-            faces_of_node[face.node[k]].push_back(messages.size());
-          }
-        for (unsigned int d = 0; d < dim; ++d)
-          message.normal[d] = face.normal[d];
-        message.area     = face.area;
-        message.boundary = face.boundary;
-        messages.push_back(message);
-        known.insert(key_of(message));
-      }
 
-    std::vector<BoundaryFace<dim>> further;
-    send_to_ghosts<std::vector<FaceMessage<dim>>>(
-      [&](const unsigned int cell) {
-        std::set<unsigned int> around;
-        for (const unsigned int node : nodes(cell))
-          if (const auto found = faces_of_node.find(node);
-              found != faces_of_node.end())
-            around.insert(found->second.begin(), found->second.end());
-        std::vector<FaceMessage<dim>> of_cell;
-        for (const unsigned int face : around)
-          of_cell.push_back(messages[face]);
-        return of_cell;
-      },
-      [&](const unsigned int /*cell*/,
-          const std::vector<FaceMessage<dim>> &of_cell) {
-        for (const auto &message : of_cell)
+    hanging.clear();
+    at_hanging.assign(n_cells(), false);
+    const AffineConstraints<double> of_dofs =
+      refinement->is_refined() ? Mesh::hanging_nodes(dofs) :
+                                 AffineConstraints<double>();
+    using Entries         = std::vector<typename NodeMessage<dim>::Entry>;
+    const auto entries_of = [&](const types::global_dof_index global) {
+      const auto *entries =
+        refinement->is_refined() ? of_dofs.get_constraint_entries(global) :
+                                   nullptr;
+      return entries == nullptr ? Entries() :
+                                  Entries(entries->begin(), entries->end());
+    };
+    const auto add_hanging = [&](const unsigned int node,
+                                 const Entries     &entries) {
+      hanging.add_line(node);
+      for (const auto &[global, weight] : entries)
+        {
+          const auto [entry, is_new] = local_node.emplace(global, n_nodes());
+          if (is_new)
+            {
+              global_nodes.push_back(global);
+              node_positions.emplace_back();
+            }
+          hanging.add_entry(node, entry->second, weight);
+        }
+    };
+
+    const IndexSet &owned           = dofs.locally_owned_dofs();
+    const auto      n_vertex_nodes  = n_nodes();
+    std::map<types::global_dof_index, NodeMessage<dim>> answers;
+
+    if (is_distributed())
+      {
+        std::map<unsigned int, std::vector<unsigned int>> faces_of_node;
+        using Key         = std::vector<types::global_dof_index>;
+        const auto key_of = [](const FaceMessage<dim> &face) {
+          Key key(face.node.begin(), face.node.end());
+          std::sort(key.begin(), key.end());
+          return key;
+        };
+        std::vector<FaceMessage<dim>> messages;
+        std::set<Key>                 known;
+        for (const auto &face : faces)
           {
-            if (!known.insert(key_of(message)).second)
-              continue;
-            BoundaryFace<dim> face;
-            face.cell     = unknown_cell;
-            face.boundary = message.boundary;
-            face.area     = message.area;
-            for (unsigned int d = 0; d < dim; ++d)
-              face.normal[d] = message.normal[d];
-            for (const auto global : message.node)
+            FaceMessage<dim> message;
+            for (unsigned int k = 0; k < face.node.size(); ++k)
               {
-                const auto found = local_node.find(global);
-                face.node.push_back(found == local_node.end() ? unknown_node :
-                                                                found->second);
+                message.node[k] = global_nodes[face.node[k]];
+                faces_of_node[face.node[k]].push_back(messages.size());
               }
-            further.push_back(face);
+            for (unsigned int d = 0; d < dim; ++d)
+              message.normal[d] = face.normal[d];
+            message.area     = face.area;
+            message.boundary = face.boundary;
+            messages.push_back(message);
+            known.insert(key_of(message));
           }
-      });
-    faces.insert(faces.end(), further.begin(), further.end());
+        // The owner of a node has all cells around it.
+        const std::function<NodeMessage<dim>(const types::global_dof_index)>
+          answer = [&](const types::global_dof_index global) {
+            const unsigned int node = local_node.at(global);
+            NodeMessage<dim>   message;
+            for (unsigned int d = 0; d < dim; ++d)
+              message.position[d] = node_positions[node][d];
+            message.mean_of = entries_of(global);
+            if (const auto found = faces_of_node.find(node);
+                found != faces_of_node.end())
+              for (const unsigned int face : found->second)
+                message.faces.push_back(messages[face]);
+            return message;
+          };
+        const auto add_faces = [&](const NodeMessage<dim> &of_node) {
+          for (const auto &message : of_node.faces)
+            {
+              if (!known.insert(key_of(message)).second)
+                continue;
+              BoundaryFace<dim> face;
+              face.cell     = unknown_cell;
+              face.boundary = message.boundary;
+              face.area     = message.area;
+              for (unsigned int d = 0; d < dim; ++d)
+                face.normal[d] = message.normal[d];
+              for (const auto global : message.node)
+                {
+                  const auto found = local_node.find(global);
+                  face.node.push_back(found == local_node.end() ?
+                                        unknown_node :
+                                        found->second);
+                }
+              faces.push_back(face);
+            }
+        };
+
+        GlobalIndices of_others;
+        for (const auto global : global_nodes)
+          if (!owned.is_element(global))
+            of_others.push_back(global);
+        answers = ask_owners(owned, of_others, communicator, answer);
+        for (unsigned int node = 0; node < n_vertex_nodes; ++node)
+          {
+            const auto found = answers.find(global_nodes[node]);
+            const auto entries =
+              found == answers.end() ? entries_of(global_nodes[node]) :
+                                       found->second.mean_of;
+            if (!entries.empty())
+              add_hanging(node, entries);
+          }
+
+        // Nodes that cells depend on without having them as vertices.
+        const GlobalIndices farther(global_nodes.begin() + n_vertex_nodes,
+                                    global_nodes.end());
+        for (auto &[global, message] :
+             ask_owners(owned, farther, communicator, answer))
+          {
+            for (unsigned int d = 0; d < dim; ++d)
+              node_positions[local_node.at(global)][d] = message.position[d];
+            answers.emplace(global, std::move(message));
+          }
+        for (const auto &[global, message] : answers)
+          add_faces(message);
+      }
+    else
+      for (unsigned int node = 0; node < n_vertex_nodes; ++node)
+        if (const auto entries = entries_of(global_nodes[node]);
+            !entries.empty())
+          add_hanging(node, entries);
+    hanging.close();
+
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      for (const unsigned int node : nodes(cell))
+        if (hanging.is_constrained(node))
+          at_hanging[cell] = true;
+  }
+
+  template <int dim>
+  void
+  BackgroundMesh<dim>::find_node_volumes()
+  {
+    node_volumes.assign(n_nodes(), 0.);
+    for (unsigned int cell = 0; cell < n_own; ++cell)
+      {
+        const auto   on_cell = nodes(cell);
+        const double part    = volumes[cell] / on_cell.size();
+        for (const unsigned int node : on_cell)
+          if (const auto *entries = hanging.get_constraint_entries(node))
+            for (const auto &[free, weight] : *entries)
+              node_volumes[free] += weight * part;
+          else
+            node_volumes[node] += part;
+      }
+    if (!is_distributed())
+      return;
+    IndexSet known(dofs.n_dofs());
+    for (const auto global : global_nodes)
+      known.add_index(global);
+    LinearAlgebra::distributed::Vector<double> sums(dofs.locally_owned_dofs(),
+                                                    known,
+                                                    communicator);
+    for (unsigned int node = 0; node < n_nodes(); ++node)
+      sums[global_nodes[node]] += node_volumes[node];
+    sums.compress(VectorOperation::add);
+    sums.update_ghost_values();
+    for (unsigned int node = 0; node < n_nodes(); ++node)
+      node_volumes[node] = sums[global_nodes[node]];
+  }
+
+  template <int dim>
+  std::vector<unsigned int>
+  BackgroundMesh<dim>::free_nodes(const unsigned int cell) const
+  {
+    std::vector<unsigned int> result;
+    for (const unsigned int node : nodes(cell))
+      if (const auto *entries = hanging.get_constraint_entries(node))
+        for (const auto &entry : *entries)
+          result.push_back(entry.first);
+      else
+        result.push_back(node);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  template <int dim>
+  void
+  BackgroundMesh<dim>::interpolate_to_hanging_nodes(
+    std::vector<double> &values,
+    const unsigned int   n_values) const
+  {
+    AssertDimension(values.size(), n_nodes() * n_values);
+    for (const auto &line : hanging.get_lines())
+      for (unsigned int v = 0; v < n_values; ++v)
+        {
+          double sum = 0.;
+          for (const auto &[free, weight] : line.entries)
+            sum += weight * values[free * n_values + v];
+          values[line.index * n_values + v] = sum;
+        }
   }
 
   template <int dim>
@@ -403,7 +637,16 @@ namespace mpm_granular::Mesh
     const double per_box = visit([](const auto &cells) {
       return std::decay_t<decltype(cells)>::value_type::reference_volume;
     });
-    mean_size = std::pow(from_cells / n_global_cells() / per_box, 1. / dim);
+    const int finest      = tria->n_global_levels() - 1;
+    double    n_finest    = 0.;
+    double    from_finest = 0.;
+    for (unsigned int cell = 0; cell < n_own; ++cell)
+      if (iterators[cell]->level() == finest)
+        {
+          from_finest += volumes[cell];
+          ++n_finest;
+        }
+    mean_size = std::pow(sum(from_finest) / sum(n_finest) / per_box, 1. / dim);
 
     // The volume by the divergence theorem over the surface must be the sum of
     // the cells': a reader that garbles connectivity fails here.
@@ -591,7 +834,5 @@ namespace mpm_granular::Mesh
   // What Partition sends.
   INSTANTIATE(2, std::vector<unsigned int>)
   INSTANTIATE(3, std::vector<unsigned int>)
-  INSTANTIATE(2, std::vector<std::vector<unsigned int>>)
-  INSTANTIATE(3, std::vector<std::vector<unsigned int>>)
 #undef INSTANTIATE
 } // namespace mpm_granular::Mesh

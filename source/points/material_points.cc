@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <mpm_granular/mesh/point_walk.h>
 #include <mpm_granular/points/material_points.h>
 #include <mpm_granular/points/migration.h>
 #include <mpm_granular/points/splitting.h>
@@ -113,6 +114,14 @@ namespace mpm_granular::Points
 
   template <int dim>
   void
+  MaterialPoints<dim>::clear()
+  {
+    working_set.resize(0, names.size());
+    n_ids = 0;
+  }
+
+  template <int dim>
+  void
   MaterialPoints<dim>::load()
   {
     working_set.resize(particles.n_locally_owned_particles(), names.size());
@@ -211,6 +220,47 @@ namespace mpm_granular::Points
     attach();
     order();
     return n_sent;
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::pull_inside()
+  {
+    mesh.visit([&](const auto &cells) {
+      for (unsigned int p = 0; p < working_set.size(); ++p)
+        {
+          const auto       &cell = cells[working_set.cell[p]];
+          const Point<dim> &x    = working_set.location(p);
+          const auto        heights = cell.heights(x);
+          if (*std::min_element(heights.begin(), heights.end()) >=
+              -Mesh::inside_tolerance)
+            continue;
+          const auto values = cell.inner_shape_values(x, 0.);
+          Point<dim> inside;
+          for (unsigned int k = 0; k < values.size(); ++k)
+            inside += values[k] * mesh.node_position(cell.node[k]);
+          for (unsigned int d = 0; d < dim; ++d)
+            working_set.position[d][p] = inside[d];
+        }
+    });
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::follow(const std::vector<unsigned int> &new_cells)
+  {
+    mesh.visit([&](const auto &cells) {
+      for (unsigned int p = 0; p < working_set.size(); ++p)
+        {
+          const auto found = Mesh::walk_to(cells,
+                                           working_set.location(p),
+                                           new_cells[working_set.cell[p]]);
+          AssertThrow(found.cell != Mesh::no_cell && !found.is_beyond_reach,
+                      ExcInternalError());
+          working_set.cell[p] = found.cell;
+        }
+    });
+    order();
   }
 
   template <int dim>

@@ -22,7 +22,7 @@ namespace mpm_granular::Adaptivity
     bool
     is_active() const
     {
-      return !parameters.criteria.all_names().empty();
+      return parameters.is_wanted();
     }
 
     /**

@@ -45,6 +45,13 @@ namespace mpm_granular::Adaptivity
 
     void
     check() const override;
+
+    /// Whether there is any criterion.
+    bool
+    is_wanted() const
+    {
+      return !criteria.all_names().empty();
+    }
   };
 } // namespace mpm_granular::Adaptivity
 

@@ -50,7 +50,7 @@ namespace mpm_granular::Adaptivity
     unsigned int
     level(const unsigned int cell) const
     {
-      return mesh.cell_iterator(cell)->level();
+      return mesh.level(cell);
     }
 
     /// The edge of a box that the cell is, or of which it is a part if it is a
@@ -74,7 +74,7 @@ namespace mpm_granular::Adaptivity
     send_to_ghosts(std::vector<unsigned int> &values) const;
 
   private:
-    /// The velocity of an active node [m/s].
+    /// The velocity of an active node, or of a hanging one between such [m/s].
     dealii::Tensor<1, dim>
     velocity(const unsigned int node) const;
 

@@ -42,6 +42,10 @@ namespace mpm_granular::Points
            const unsigned int            material,
            const double                  density);
 
+    /// Forgets all points.
+    void
+    clear();
+
     /// Moves all points from the handler to the working set.
     void
     load();
@@ -100,6 +104,17 @@ namespace mpm_granular::Points
     /// @return how many this rank sent.
     std::size_t
     send_home();
+
+    /// Moves points that round-off has brought beyond the boundary onto it: with
+    /// smaller cells they would count as lost.
+    void
+    pull_inside();
+
+    /// Finds the cells of all points in a mesh that has changed. They are all
+    /// in cells of this rank, before and after.
+    /// @param cells for each cell before, one in its place.
+    void
+    follow(const std::vector<unsigned int> &cells);
 
     /// The number of points in each cell, over all ranks; of a distributed mesh
     /// only those of this rank. Collective.
