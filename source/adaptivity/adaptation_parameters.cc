@@ -79,6 +79,18 @@ namespace mpm_granular::Adaptivity
                       "if they are fine, so that no cell is divided and undone "
                       "in turn at an edge that moves a little. Units: none.",
                       Patterns::Integer(0, 100));
+    prm.add_parameter("Split points below",
+                      split_below,
+                      "After an adaptation, points are divided in two where a "
+                      "cell has points, but fewer than this. 0 stands for "
+                      "never. Units: none.",
+                      Patterns::Integer(0));
+    prm.add_parameter("Merge points above",
+                      merge_above,
+                      "After an adaptation, points become one with their "
+                      "nearest where a cell has more than this. 0 stands for "
+                      "never. Units: none.",
+                      Patterns::Integer(0));
   }
 
   template <int dim>
@@ -103,6 +115,11 @@ namespace mpm_granular::Adaptivity
             "Adaptive mesh: 'Interval' and 'Interval displacement' are both 0, "
             "so that the mesh would never be adapted; one of them must be "
             "greater than 0.");
+    require(merge_above == 0 || merge_above >= split_below,
+            "Adaptive mesh/Merge points above = " +
+              std::to_string(merge_above) +
+              " must be at least 'Split points below' = " +
+              std::to_string(split_below) + ", or 0.");
     if (interval_displacement > 0.)
       require(n_buffer_layers == 0 || interval_displacement <= n_buffer_layers,
               "Adaptive mesh/Interval displacement must be at most 'Buffer "

@@ -3,6 +3,7 @@
 #include <mpm_granular/mesh/point_walk.h>
 #include <mpm_granular/points/material_points.h>
 #include <mpm_granular/points/migration.h>
+#include <mpm_granular/points/splitting.h>
 
 #include <algorithm>
 #include <limits>
@@ -276,6 +277,29 @@ namespace mpm_granular::Points
 
   template <int dim>
   std::size_t
+  MaterialPoints<dim>::split(const unsigned int least_per_cell)
+  {
+    const std::size_t n_old = working_set.size();
+    const std::size_t n_new = Points::split(mesh, working_set, least_per_cell);
+    const auto        n_new_of_ranks =
+      Utilities::MPI::all_gather(partition.communicator, n_new);
+    const auto before = n_new_of_ranks.begin() + partition.rank;
+
+    std::uint64_t first_id =
+      std::accumulate(n_new_of_ranks.begin(), before, n_ids);
+    n_ids = std::accumulate(before, n_new_of_ranks.end(), first_id);
+    if (n_ids > std::numeric_limits<std::uint32_t>::max())
+      throw ComputationError("So many points have been made by splitting that "
+                             "there are no more numbers for them.");
+    for (std::size_t p = n_old; p < working_set.size(); ++p)
+      working_set.id[p] += first_id;
+    if (n_new > 0)
+      order();
+    return n_new;
+  }
+
+  template <int dim>
+  std::size_t
   MaterialPoints<dim>::remove_lost()
   {
     std::vector<unsigned int> kept;
@@ -294,6 +318,7 @@ namespace mpm_granular::Points
   {
     const auto   array_names = PointArrays<dim>::array_names(names);
     unsigned int index       = 0;
+    archive.replicated("points/n_ids", n_ids);
     working_set.for_each_array([&](auto &array) {
       archive.distributed("points/" + array_names[index++], array);
     });

@@ -4,6 +4,7 @@
 #include <deal.II/base/timer.h>
 
 #include <mpm_granular/adaptivity/state.h>
+#include <mpm_granular/materials/merging.h>
 #include <mpm_granular/solver/mpm_solver.h>
 
 namespace mpm_granular::Solver
@@ -62,6 +63,7 @@ namespace mpm_granular::Solver
           break;
         has_changed = true;
       }
+    split_and_merge();
     changes.n_adaptations += has_changed;
     last_adaptation = n_steps;
     displacement    = 0.;
@@ -86,6 +88,24 @@ namespace mpm_granular::Solver
     points.send_home();
     project();
     return true;
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::split_and_merge()
+  {
+    const unsigned int least = parameters.adaptation.split_below,
+                       most  = parameters.adaptation.merge_above;
+    if (least > 0)
+      points.split(least);
+    if (most > 0)
+      {
+        const auto loss = Materials::merge(points.arrays(), laws, most);
+        ledger.transfer_loss +=
+          parameters.momentum.mass_scaling * loss.kinetic + loss.elastic;
+      }
+    if (least > 0 || most > 0)
+      project();
   }
 
   template <int dim>

@@ -71,8 +71,10 @@ test(const std::string &cells)
                        most * most + 1;
   });
   // Two columns of level 1 (2 * 5^(dim-1) hypercubes) and one of level 2.
-  print("points" + test.ask("points", {}));
-  print("at most 1" + test.ask("points", {"Largest number of points=1"}));
+  print("points" +
+        test.ask("points",
+                 {"Largest number of points=" + std::to_string(1 << dim)}));
+  print("at most 1" + test.ask("points", {}));
 
   const auto is_empty = [](const Point<dim> &x) {
     return x[0] > .6 || x[1] > .8;

@@ -37,6 +37,8 @@ namespace mpm_granular::Adaptivity
     double       interval_displacement = 0.5; ///< in cell sizes; 0: any
     unsigned int n_buffer_layers       = 1;
     unsigned int n_kept_layers         = 1;
+    unsigned int split_below           = 0; ///< points per cell
+    unsigned int merge_above           = 0; ///< points per cell; 0: never
 
     void
     add_parameters(dealii::ParameterHandler &prm) override;

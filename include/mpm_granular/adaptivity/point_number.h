@@ -18,7 +18,7 @@ namespace mpm_granular::Adaptivity
                  const unsigned int cell) const override;
 
   private:
-    unsigned int largest_number = 1 << dim;
+    unsigned int largest_number = 1;
   };
 } // namespace mpm_granular::Adaptivity
 

@@ -121,6 +121,14 @@ namespace mpm_granular::Points
     std::vector<std::uint32_t>
     count_by_cell() const;
 
+    /// Divides points where a cell has some but fewer than a number
+    /// (Points::split), gives the new ones ids, and orders. All points must be
+    /// in own cells. Collective.
+    /// @return how many points this rank has more.
+    /// @throws ComputationError if there are no more ids.
+    std::size_t
+    split(const unsigned int least_per_cell);
+
     /// Removes the points whose cell is no_cell.
     /// @return how many there were.
     std::size_t

@@ -256,6 +256,8 @@ namespace mpm_granular::Solver
     bool
     adapt_mesh_once();
     void
+    split_and_merge();
+    void
     serialize_mesh(Core::Archive &archive);
     void
     set_initial_state();
