@@ -30,12 +30,25 @@ namespace mpm_granular::Adaptivity
     {
       const auto &mesh = state.mesh;
       Numbers     near(mesh.n_cells(), far_away);
-      Numbers     front; // cells from which others may be nearer than known
+      // Most sources are among others and have nothing to tell.
+      std::vector<bool> is_at_edge(mesh.n_nodes(), false);
+      for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+        if (!is_source[cell])
+          for (const unsigned int node : mesh.nodes(cell))
+            is_at_edge[node] = true;
+      Numbers front; // cells from which others may be nearer than known
       for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
         if (is_source[cell])
           {
-            near[cell] = 0;
-            front.push_back(cell);
+            near[cell]       = 0;
+            const auto nodes = mesh.nodes(cell);
+            if (state.touching.has_others_beyond_faces(cell) ||
+                std::any_of(nodes.begin(),
+                            nodes.end(),
+                            [&](const unsigned int node) {
+                              return is_at_edge[node];
+                            }))
+              front.push_back(cell);
           }
 
       const auto goes_on = [&](const Numbers &list) {

@@ -82,10 +82,10 @@ namespace mpm_granular::Grid
     /// Adds the contributions of a cell to its nodes.
     template <int dim, class Cell>
     inline void
-    add_cell(const Cell                                       &cell,
-             const CellSums<Cell>                             &of_cell,
-             const std::array<unsigned int, Cell::n_nodes>    &slots,
-             std::vector<NodeSums<dim>>                       &sums)
+    add_cell(const Cell                                    &cell,
+             const CellSums<Cell>                          &of_cell,
+             const std::array<unsigned int, Cell::n_nodes> &slots,
+             std::vector<NodeSums<dim>>                    &sums)
     {
       for (unsigned int k = 0; k < Cell::n_nodes; ++k)
         {
@@ -146,10 +146,7 @@ namespace mpm_granular::Grid
         {
           const Cell &cell = cells[active_cells[c]];
           local.assign(Cell::n_nodes, {});
-          add_cell(cell,
-                   this->template cells<Cell>().sums[c],
-                   in_order,
-                   local);
+          add_cell(cell, this->template cells<Cell>().sums[c], in_order, local);
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
             if (const auto *mean =
                   mesh.hanging_nodes().get_constraint_entries(cell.node[k]))

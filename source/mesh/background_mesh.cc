@@ -4,24 +4,16 @@
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/numerics/rtree.h>
 
-#include <boost/serialization/array.hpp>
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
-
-#include <mpm_granular/mesh/ask_owners.h>
 #include <mpm_granular/mesh/background_mesh.h>
 #include <mpm_granular/mesh/cell_order.h>
-#include <mpm_granular/mesh/hanging_nodes.h>
 #include <mpm_granular/mesh/point_walk.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <sstream>
 #include <unordered_map>
 
@@ -69,41 +61,6 @@ namespace mpm_granular::Mesh
     {
       return f;
     }
-
-    /// A boundary face on its way to another rank.
-    template <int dim>
-    struct FaceMessage
-    {
-      std::array<types::global_dof_index, 1 << (dim - 1)> node;
-      std::array<double, dim>                             normal;
-      double                                              area;
-      types::boundary_id                                  boundary;
-
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int /*version*/)
-      {
-        archive &node &normal &area &boundary;
-      }
-    };
-
-    /// What the owner of a node's DoF knows of it.
-    template <int dim>
-    struct NodeMessage
-    {
-      using Entry = std::pair<types::global_dof_index, double>;
-
-      std::array<double, dim>       position;
-      std::vector<Entry>            mean_of; ///< if it hangs
-      std::vector<FaceMessage<dim>> faces;   ///< around it
-
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int /*version*/)
-      {
-        archive &position &mean_of &faces;
-      }
-    };
   } // namespace
 
   template <int dim>
@@ -128,11 +85,11 @@ namespace mpm_granular::Mesh
           communicator,
           Triangulation<dim>::none,
           Distributed::no_automatic_repartitioning);
-        p4est            = distributed.get();
-        tria             = std::move(distributed);
-        fe               = std::make_unique<FE_Q<dim>>(1);
-        map              = std::make_unique<MappingQ<dim>>(1);
-        all_cells        = std::vector<BoxCell<dim>>();
+        p4est     = distributed.get();
+        tria      = std::move(distributed);
+        fe        = std::make_unique<FE_Q<dim>>(1);
+        map       = std::make_unique<MappingQ<dim>>(1);
+        all_cells = std::vector<BoxCell<dim>>();
       }
     names      = source.make(*tria, input_file);
     refinement = std::make_unique<Refinement<dim>>(*tria);
@@ -410,181 +367,6 @@ namespace mpm_granular::Mesh
   }
 
   template <int dim>
-  void
-  BackgroundMesh<dim>::complete_nodes()
-  {
-    std::unordered_map<types::global_dof_index, unsigned int> local_node;
-    for (unsigned int node = 0; node < n_nodes(); ++node)
-      local_node[global_nodes[node]] = node;
-
-    hanging.clear();
-    at_hanging.assign(n_cells(), false);
-    const AffineConstraints<double> of_dofs =
-      refinement->is_refined() ? Mesh::hanging_nodes(dofs) :
-                                 AffineConstraints<double>();
-    using Entries         = std::vector<typename NodeMessage<dim>::Entry>;
-    const auto entries_of = [&](const types::global_dof_index global) {
-      const auto *entries =
-        refinement->is_refined() ? of_dofs.get_constraint_entries(global) :
-                                   nullptr;
-      return entries == nullptr ? Entries() :
-                                  Entries(entries->begin(), entries->end());
-    };
-    const auto add_hanging = [&](const unsigned int node,
-                                 const Entries     &entries) {
-      hanging.add_line(node);
-      for (const auto &[global, weight] : entries)
-        {
-          const auto [entry, is_new] = local_node.emplace(global, n_nodes());
-          if (is_new)
-            {
-              global_nodes.push_back(global);
-              node_positions.emplace_back();
-            }
-          hanging.add_entry(node, entry->second, weight);
-        }
-    };
-
-    const IndexSet &owned           = dofs.locally_owned_dofs();
-    const auto      n_vertex_nodes  = n_nodes();
-    std::map<types::global_dof_index, NodeMessage<dim>> answers;
-
-    if (is_distributed())
-      {
-        std::map<unsigned int, std::vector<unsigned int>> faces_of_node;
-        using Key         = std::vector<types::global_dof_index>;
-        const auto key_of = [](const FaceMessage<dim> &face) {
-          Key key(face.node.begin(), face.node.end());
-          std::sort(key.begin(), key.end());
-          return key;
-        };
-        std::vector<FaceMessage<dim>> messages;
-        std::set<Key>                 known;
-        for (const auto &face : faces)
-          {
-            FaceMessage<dim> message;
-            for (unsigned int k = 0; k < face.node.size(); ++k)
-              {
-                message.node[k] = global_nodes[face.node[k]];
-                faces_of_node[face.node[k]].push_back(messages.size());
-              }
-            for (unsigned int d = 0; d < dim; ++d)
-              message.normal[d] = face.normal[d];
-            message.area     = face.area;
-            message.boundary = face.boundary;
-            messages.push_back(message);
-            known.insert(key_of(message));
-          }
-        // The owner of a node has all cells around it.
-        const std::function<NodeMessage<dim>(const types::global_dof_index)>
-          answer = [&](const types::global_dof_index global) {
-            const unsigned int node = local_node.at(global);
-            NodeMessage<dim>   message;
-            for (unsigned int d = 0; d < dim; ++d)
-              message.position[d] = node_positions[node][d];
-            message.mean_of = entries_of(global);
-            if (const auto found = faces_of_node.find(node);
-                found != faces_of_node.end())
-              for (const unsigned int face : found->second)
-                message.faces.push_back(messages[face]);
-            return message;
-          };
-        const auto add_faces = [&](const NodeMessage<dim> &of_node) {
-          for (const auto &message : of_node.faces)
-            {
-              if (!known.insert(key_of(message)).second)
-                continue;
-              BoundaryFace<dim> face;
-              face.cell     = unknown_cell;
-              face.boundary = message.boundary;
-              face.area     = message.area;
-              for (unsigned int d = 0; d < dim; ++d)
-                face.normal[d] = message.normal[d];
-              for (const auto global : message.node)
-                {
-                  const auto found = local_node.find(global);
-                  face.node.push_back(found == local_node.end() ?
-                                        unknown_node :
-                                        found->second);
-                }
-              faces.push_back(face);
-            }
-        };
-
-        GlobalIndices of_others;
-        for (const auto global : global_nodes)
-          if (!owned.is_element(global))
-            of_others.push_back(global);
-        answers = ask_owners(owned, of_others, communicator, answer);
-        for (unsigned int node = 0; node < n_vertex_nodes; ++node)
-          {
-            const auto found = answers.find(global_nodes[node]);
-            const auto entries =
-              found == answers.end() ? entries_of(global_nodes[node]) :
-                                       found->second.mean_of;
-            if (!entries.empty())
-              add_hanging(node, entries);
-          }
-
-        // Nodes that cells depend on without having them as vertices.
-        const GlobalIndices farther(global_nodes.begin() + n_vertex_nodes,
-                                    global_nodes.end());
-        for (auto &[global, message] :
-             ask_owners(owned, farther, communicator, answer))
-          {
-            for (unsigned int d = 0; d < dim; ++d)
-              node_positions[local_node.at(global)][d] = message.position[d];
-            answers.emplace(global, std::move(message));
-          }
-        for (const auto &[global, message] : answers)
-          add_faces(message);
-      }
-    else
-      for (unsigned int node = 0; node < n_vertex_nodes; ++node)
-        if (const auto entries = entries_of(global_nodes[node]);
-            !entries.empty())
-          add_hanging(node, entries);
-    hanging.close();
-
-    for (unsigned int cell = 0; cell < n_cells(); ++cell)
-      for (const unsigned int node : nodes(cell))
-        if (hanging.is_constrained(node))
-          at_hanging[cell] = true;
-  }
-
-  template <int dim>
-  void
-  BackgroundMesh<dim>::find_node_volumes()
-  {
-    node_volumes.assign(n_nodes(), 0.);
-    for (unsigned int cell = 0; cell < n_own; ++cell)
-      {
-        const auto   on_cell = nodes(cell);
-        const double part    = volumes[cell] / on_cell.size();
-        for (const unsigned int node : on_cell)
-          if (const auto *entries = hanging.get_constraint_entries(node))
-            for (const auto &[free, weight] : *entries)
-              node_volumes[free] += weight * part;
-          else
-            node_volumes[node] += part;
-      }
-    if (!is_distributed())
-      return;
-    IndexSet known(dofs.n_dofs());
-    for (const auto global : global_nodes)
-      known.add_index(global);
-    LinearAlgebra::distributed::Vector<double> sums(dofs.locally_owned_dofs(),
-                                                    known,
-                                                    communicator);
-    for (unsigned int node = 0; node < n_nodes(); ++node)
-      sums[global_nodes[node]] += node_volumes[node];
-    sums.compress(VectorOperation::add);
-    sums.update_ghost_values();
-    for (unsigned int node = 0; node < n_nodes(); ++node)
-      node_volumes[node] = sums[global_nodes[node]];
-  }
-
-  template <int dim>
   std::vector<unsigned int>
   BackgroundMesh<dim>::free_nodes(const unsigned int cell) const
   {
@@ -634,12 +416,12 @@ namespace mpm_granular::Mesh
 
     const double from_cells =
       sum(std::accumulate(volumes.begin(), volumes.begin() + n_own, 0.));
-    const double per_box = visit([](const auto &cells) {
+    const double per_box     = visit([](const auto &cells) {
       return std::decay_t<decltype(cells)>::value_type::reference_volume;
     });
-    const int finest      = tria->n_global_levels() - 1;
-    double    n_finest    = 0.;
-    double    from_finest = 0.;
+    const int    finest      = tria->n_global_levels() - 1;
+    double       n_finest    = 0.;
+    double       from_finest = 0.;
     for (unsigned int cell = 0; cell < n_own; ++cell)
       if (iterators[cell]->level() == finest)
         {

@@ -45,12 +45,12 @@ namespace mpm_granular::Mesh
     {
       if (!mesh.is_distributed())
         return;
-      using Global               = types::global_dof_index;
-      const IndexSet &owned      = mesh.dof_handler().locally_owned_dofs();
+      using Global                 = types::global_dof_index;
+      const IndexSet &owned        = mesh.dof_handler().locally_owned_dofs();
       const MPI_Comm  communicator = mesh.mpi_communicator();
 
-      GlobalIndices                             known;
-      std::unordered_map<Global, unsigned int>  local;
+      GlobalIndices                            known;
+      std::unordered_map<Global, unsigned int> local;
       for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
         {
           known.push_back(mesh.global_node(node));
@@ -64,10 +64,10 @@ namespace mpm_granular::Mesh
            Utilities::MPI::some_to_some(communicator, reports))
         for (const auto &[node, ranks] : of_rank)
           insert(of_nodes[local.at(node)], ranks);
-      for (const auto &[node, ranks] :
-           ask_owners<Ranks>(owned, known, communicator, [&](const Global node) {
-             return of_nodes[local.at(node)];
-           }))
+      for (const auto &[node, ranks] : ask_owners<Ranks>(
+             owned, known, communicator, [&](const Global node) {
+               return of_nodes[local.at(node)];
+             }))
         of_nodes[local.at(node)] = ranks;
     }
 
@@ -88,7 +88,8 @@ namespace mpm_granular::Mesh
         }
       std::map<unsigned int, std::vector<unsigned int>> ghosts;
       for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-        if (const auto global = mesh.global_cell(cell); partition.is_owned(cell))
+        if (const auto global = mesh.global_cell(cell);
+            partition.is_owned(cell))
           seeing[cell] = {partition.rank};
         else
           ghosts[partition.owner(global)].push_back(global);

@@ -229,8 +229,8 @@ namespace mpm_granular::Points
     mesh.visit([&](const auto &cells) {
       for (unsigned int p = 0; p < working_set.size(); ++p)
         {
-          const auto       &cell = cells[working_set.cell[p]];
-          const Point<dim> &x    = working_set.location(p);
+          const auto       &cell    = cells[working_set.cell[p]];
+          const Point<dim> &x       = working_set.location(p);
           const auto        heights = cell.heights(x);
           if (*std::min_element(heights.begin(), heights.end()) >=
               -Mesh::inside_tolerance)

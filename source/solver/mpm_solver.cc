@@ -47,7 +47,7 @@ namespace mpm_granular::Solver
   {
     agree_on_state(requests);
     ++n_steps;
-    last_time_step      = time_step;
+    last_time_step = time_step;
     displacement += time_step * step_limits().largest_speed;
     const double missed = next_event - current_time - time_step;
     current_time        = std::abs(missed) < 1e-12 * time_step ?

@@ -119,7 +119,7 @@ namespace mpm_granular::Transfer
         bool        is_full = true;
         for (const unsigned int node : nodes)
           is_full &= filling.fraction(fields, node) > Filling<dim>::full;
-        const double volume = filling.of_cell(c);
+        const double                     volume = filling.of_cell(c);
         std::array<Stress<dim>, n_nodes> at_nodes;
         for (unsigned int k = 0; k < n_nodes; ++k)
           at_nodes[k] = fields.hanging.value_at(stresses, nodes[k]);
@@ -179,7 +179,8 @@ namespace mpm_granular::Transfer
         double fraction = 1.;
         for (const unsigned int node : active.nodes[c])
           fraction =
-            std::min(fraction, filling.fraction(fields, node) / Filling<dim>::full);
+            std::min(fraction,
+                     filling.fraction(fields, node) / Filling<dim>::full);
         const unsigned int cell = fields.active_cells[c];
         cell_weights[c] =
           partition->is_owned(cell) ?
@@ -238,9 +239,9 @@ namespace mpm_granular::Transfer
       {
         if (cell_weights[c] == 0.)
           continue;
-        const Cell &cell    = cells[fields.active_cells[c]];
-        const auto &nodes   = active.nodes[c];
-        auto        part    = straining_gradient(cell, nodes, fields);
+        const Cell &cell  = cells[fields.active_cells[c]];
+        const auto &nodes = active.nodes[c];
+        auto        part  = straining_gradient(cell, nodes, fields);
         for (double &component : part)
           component *= cell_weights[c];
         for (const unsigned int node : nodes)

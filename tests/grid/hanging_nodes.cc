@@ -1,7 +1,7 @@
-// On meshes of several levels: a linear velocity field has its constant gradient
-// in every cell; masses, momenta and forces of the points come to the free
-// nodes, with nothing lost; a constant stress in all of space makes no force
-// within the body; the mass matrix is that of the points.
+// On meshes of several levels: a linear velocity field has its constant
+// gradient in every cell; masses, momenta and forces of the points come to the
+// free nodes, with nothing lost; a constant stress in all of space makes no
+// force within the body; the mass matrix is that of the points.
 
 #include "../transfer/scattered_points.h"
 
@@ -86,8 +86,8 @@ test(const std::string &name, const Mesh::MeshSource<dim> &source)
     {
       worst_row =
         std::max(worst_row, std::abs(rows[i][0] - fields.sums[i].mass));
-      worst_momentum = std::max(worst_momentum,
-                                (result[i] - fields.sums[i].momentum).norm());
+      worst_momentum =
+        std::max(worst_momentum, (result[i] - fields.sums[i].momentum).norm());
     }
 
   // Forces once more, from the cells.
@@ -97,7 +97,8 @@ test(const std::string &name, const Mesh::MeshSource<dim> &source)
   fields.gather_forces();
   double worst_force = 0.;
   for (unsigned int i = 0; i < n; ++i)
-    worst_force = std::max(worst_force, (fields.sums[i].force - before[i]).norm());
+    worst_force =
+      std::max(worst_force, (fields.sums[i].force - before[i]).norm());
 
   // The volumes of the free nodes fill the mesh.
   double volume = 0.;

@@ -105,7 +105,8 @@ test(const Mesh::MeshSource<dim> &source, const bool is_refined = false)
   for (const double m : alone.points.arrays().mass)
     all_mass += m;
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    std::cout << dim << "D" << (is_refined ? ", refined" : "") << ": as on one rank " << (error < 1e-12 * scale)
+    std::cout << dim << "D" << (is_refined ? ", refined" : "")
+              << ": as on one rank " << (error < 1e-12 * scale)
               << ", the same bits on all ranks " << same
               << ", all active nodes met "
               << (n_active == alone.fields.n_active_nodes())

@@ -1,7 +1,7 @@
-// A mesh that is refined and coarsened again and again is the same on any number
-// of ranks; cells that touch differ by one level; every place is in a cell that
-// a walk from any other finds; the refinement tree brings it back, and without
-// refinement it is the mesh that was given.
+// A mesh that is refined and coarsened again and again is the same on any
+// number of ranks; cells that touch differ by one level; every place is in a
+// cell that a walk from any other finds; the refinement tree brings it back,
+// and without refinement it is the mesh that was given.
 
 #include <deal.II/base/mpi.h>
 
@@ -79,10 +79,10 @@ void
 test(const std::string &name, const Mesh::MeshSource<dim> &source)
 {
   Mesh::BackgroundMesh<dim> mesh(source, "");
-  Mesh::Partition<dim> partition(Mesh::PartitionParameters(),
+  Mesh::Partition<dim>      partition(Mesh::PartitionParameters(),
                                  mesh,
                                  MPI_COMM_WORLD);
-  const auto share_out = [&](Mesh::Partition<dim> &whose,
+  const auto                share_out = [&](Mesh::Partition<dim> &whose,
                              const unsigned int    n_cells) {
     whose.distribute(std::vector<std::uint32_t>(n_cells, 1));
   };
@@ -93,7 +93,7 @@ test(const std::string &name, const Mesh::MeshSource<dim> &source)
 
   bool          is_balanced = true, is_found = true, is_followed = true;
   std::uint64_t n_cells = 0;
-  std::size_t   memory = 0;
+  std::size_t   memory  = 0;
   for (unsigned int i = 0; i < 40; ++i)
     {
       std::vector<Point<dim>> centers;
@@ -135,8 +135,12 @@ test(const std::string &name, const Mesh::MeshSource<dim> &source)
   const auto on_all = [](const bool value) {
     return !Utilities::MPI::logical_or(!value, MPI_COMM_WORLD);
   };
-  const bool all[] = {on_all(is_balanced), on_all(is_found), on_all(is_followed),
-                      on_all(is_flat),     on_all(is_grown), on_all(is_given)};
+  const bool all[] = {on_all(is_balanced),
+                      on_all(is_found),
+                      on_all(is_followed),
+                      on_all(is_flat),
+                      on_all(is_grown),
+                      on_all(is_given)};
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::cout << name << ": cells " << n_cells << ", finest "
               << int(*std::max_element(tree.begin(), tree.end()))

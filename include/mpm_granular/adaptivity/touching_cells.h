@@ -33,6 +33,13 @@ namespace mpm_granular::Adaptivity
           action(other);
     }
 
+    /// Whether some touch a cell without a common vertex.
+    bool
+    has_others_beyond_faces(const unsigned int cell) const
+    {
+      return beyond_faces.count(cell) > 0;
+    }
+
   private:
     const Mesh::BackgroundMesh<dim> &mesh;
 

@@ -303,8 +303,8 @@ namespace mpm_granular::Grid
 
     const Mesh::BackgroundMesh<dim> &mesh;
     const Mesh::Partition<dim>      &partition;
-    std::vector<unsigned int>        cell_slot; ///< by flat cell
-    std::vector<unsigned int>        node_slot; ///< by node
+    std::vector<unsigned int>        cell_slot;     ///< by flat cell
+    std::vector<unsigned int>        node_slot;     ///< by node
     std::vector<unsigned int>        hanging_nodes; ///< by slot behind others
     std::vector<double>              packed; ///< of nodes, for sums over ranks
     std::vector<dealii::Tensor<1, dim>> partial; ///< this rank's part of a sum

@@ -137,7 +137,8 @@ namespace mpm_granular::Mesh
       return refinement->level(iterators[cell]);
     }
 
-    /// All that is refined, see Refinement::tree(); for checkpoints. Collective.
+    /// All that is refined, see Refinement::tree(); for checkpoints.
+    /// Collective.
     std::vector<std::uint8_t>
     refinement_tree() const;
 
@@ -454,7 +455,7 @@ namespace mpm_granular::Mesh
     std::vector<dealii::Point<dim>>              node_positions;
     std::vector<double>                          node_volumes;
     std::vector<BoundaryFace<dim>>               faces;
-    dealii::AffineConstraints<double>            hanging; ///< by node
+    dealii::AffineConstraints<double>            hanging;    ///< by node
     std::vector<bool>                            at_hanging; ///< by cell
     dealii::BoundingBox<dim>                     box;
     double                                       mean_size = 0.;
