@@ -11,6 +11,8 @@ writes into RUNFOLDER/pictures:
     perspective.png      six instants of a body in space
     energies.png         all terms of the energy balance over time
     front.png            front and height over time
+    mesh.png             an adaptive mesh from the side, at four instants (with
+                         Output/Write grid = true)
     settling.png         how the initial equilibrium was reached, if that was a
                          stage
 
@@ -28,7 +30,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 try:
-    from plotting import curves, perspective, stages
+    from plotting import curves, mesh, perspective, stages
     from plotting.run import NotARun, Run
 except ImportError as error:
     sys.exit(f"plot_run.py: {error}. It needs the Debian packages "
@@ -46,6 +48,8 @@ def plot(run):
         perspective.perspective(run, strain, "perspective.png")
     curves.energies(run)
     curves.front([run], run.folder, "front.png")
+    if run.has_adaptive_mesh:
+        mesh.stages(run, "mesh.png")
     if len(run.stage) > 1:
         curves.settling(run)
 

@@ -47,6 +47,17 @@ def read_points(path):
     return fields
 
 
+def read_mesh(path):
+    """Positions of the nodes of a mesh, and the nodes of its cells."""
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    return (vtk_to_numpy(grid.GetPoints().GetData()),
+            cells.reshape(grid.GetNumberOfCells(), -1))
+
+
 class Run:
     """A folder that a run wrote."""
 
@@ -79,6 +90,12 @@ class Run:
                        for entry in record.iter("DataSet")]
         if not self.frames or self.table.size == 0:
             raise NotARun(f"the run in '{folder}' has not written a state yet")
+        self.grid_frames = []
+        if (self.folder / "grid.pvd").is_file():
+            grids = xml.etree.ElementTree.parse(self.folder / "grid.pvd")
+            self.grid_frames = [
+                (float(entry.get("timestep")), entry.get("file"))
+                for entry in grids.iter("DataSet")]
         self.dimension = int(self.manifest.get("dimension", 3))
         self.loaded = {}
 
@@ -86,6 +103,13 @@ class Run:
     def name(self):
         """For titles."""
         return self.folder.resolve().name
+
+    @property
+    def has_adaptive_mesh(self):
+        """Whether its mesh changed, and was written with the points."""
+        return (self.parameters.get("Adaptive mesh/Names", "") != "" and
+                len(self.grid_frames) == len(self.frames) and
+                all(name.endswith(".vtu") for _, name in self.grid_frames))
 
     @property
     def gravity(self):

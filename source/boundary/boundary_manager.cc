@@ -262,7 +262,9 @@ namespace mpm_granular::Boundary
                                          reference_area *
                                          condition.traction(place, time);
             for (unsigned int k = 0; k < face.node.size(); ++k)
-              loads[fields.slot_of(face.node[k])] += shape_value(k) * force;
+              fields.hanging.add_at(loads,
+                                    fields.slot_of(face.node[k]),
+                                    Tensor<1, dim>(shape_value(k) * force));
           }
     fields.shared.sum(loads);
     for (unsigned int slot = 0; slot < loads.size(); ++slot)

@@ -77,35 +77,126 @@ namespace mpm_granular::Grid
     node_slot.assign(mesh.n_nodes(), 0);
   }
 
+  namespace
+  {
+    /// Adds the contributions of a cell to its nodes.
+    template <int dim, class Cell>
+    inline void
+    add_cell(const Cell                                    &cell,
+             const CellSums<Cell>                          &of_cell,
+             const std::array<unsigned int, Cell::n_nodes> &slots,
+             std::vector<NodeSums<dim>>                    &sums)
+    {
+      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+        {
+          NodeSums<dim> &node = sums[slots[k]];
+          for (unsigned int j = 0; j < Cell::n_nodes; ++j)
+            node.mass += of_cell.mass(k, j);
+          for (unsigned int d = 0; d < dim; ++d)
+            node.momentum[d] += of_cell.momentum[d][k];
+        }
+      Grid::add_forces(cell, of_cell.internal, slots, sums);
+    }
+  } // namespace
+
   template <int dim>
   void
   NodalFields<dim>::gather_nodes()
   {
     active_nodes.clear();
     sums.clear();
+    std::vector<unsigned int> at_hanging;
     mesh.visit([&](const auto &cells) {
       using Cell   = typename std::decay_t<decltype(cells)>::value_type;
       auto &active = this->template cells<Cell>();
       active.nodes.resize(active_cells.size());
       for (unsigned int c = 0; c < active_cells.size(); ++c)
         {
-          const Cell           &cell    = cells[active_cells[c]];
-          const CellSums<Cell> &of_cell = active.sums[c];
-          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+          if (mesh.has_hanging_vertex(active_cells[c]))
             {
-              const unsigned int slot = activate_node(cell.node[k]);
-              active.nodes[c][k]      = slot;
-              NodeSums<dim> &node     = sums[slot];
-              for (unsigned int j = 0; j < Cell::n_nodes; ++j)
-                node.mass += of_cell.mass(k, j);
-              for (unsigned int d = 0; d < dim; ++d)
-                node.momentum[d] += of_cell.momentum[d][k];
+              at_hanging.push_back(c);
+              continue;
             }
-          Grid::add_forces(cell, of_cell.internal, active.nodes[c], sums);
+          const Cell &cell = cells[active_cells[c]];
+          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+            active.nodes[c][k] = activate_node(cell.node[k]);
+          add_cell(cell, active.sums[c], active.nodes[c], sums);
         }
     });
+    gather_at_hanging(at_hanging);
     sum_nodes();
+    hanging.reinit(active_nodes.size());
+    hanging_nodes.clear();
+    for (const unsigned int c : at_hanging)
+      find_slots_of_vertices(c);
     motion.resize(active_nodes.size());
+  }
+
+  template <int dim>
+  void
+  NodalFields<dim>::gather_at_hanging(const std::vector<unsigned int> &slots)
+  {
+    mesh.visit([&](const auto &cells) {
+      using Cell = typename std::decay_t<decltype(cells)>::value_type;
+      std::array<unsigned int, Cell::n_nodes> in_order;
+      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+        in_order[k] = k;
+      std::vector<NodeSums<dim>> local;
+      for (const unsigned int c : slots)
+        {
+          const Cell &cell = cells[active_cells[c]];
+          local.assign(Cell::n_nodes, {});
+          add_cell(cell, this->template cells<Cell>().sums[c], in_order, local);
+          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+            if (const auto *mean =
+                  mesh.hanging_nodes().get_constraint_entries(cell.node[k]))
+              for (const auto &[free, weight] : *mean)
+                add_scaled(sums[activate_node(free)], weight, local[k]);
+            else
+              add_scaled(sums[activate_node(cell.node[k])], 1., local[k]);
+        }
+    });
+  }
+
+  template <int dim>
+  void
+  NodalFields<dim>::find_slots_of_vertices(const unsigned int slot)
+  {
+    mesh.visit([&](const auto &cells) {
+      using Cell       = typename std::decay_t<decltype(cells)>::value_type;
+      const Cell &cell = cells[active_cells[slot]];
+      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+        {
+          const unsigned int node = cell.node[k];
+          const auto *mean = mesh.hanging_nodes().get_constraint_entries(node);
+          const unsigned int place = node_slot[node] - active_nodes.size();
+          const bool         is_new =
+            mean != nullptr &&
+            !(place < hanging_nodes.size() && hanging_nodes[place] == node);
+          if (is_new)
+            {
+              HangingSlots::Mean of_slots;
+              for (const auto &[free, weight] : *mean)
+                of_slots.emplace_back(node_slot[free], weight);
+              node_slot[node] = hanging.add(std::move(of_slots));
+              hanging_nodes.push_back(node);
+            }
+          this->template cells<Cell>().nodes[slot][k] = node_slot[node];
+        }
+    });
+  }
+
+  template <int dim>
+  bool
+  NodalFields<dim>::is_known_node(const unsigned int node) const
+  {
+    const auto *mean = mesh.hanging_nodes().get_constraint_entries(node);
+    if (mean == nullptr)
+      return is_active_node(node);
+    for (const auto &entry : *mean)
+      if (!is_active_node(entry.first))
+        return false;
+    return true;
   }
 
   template <int dim>
@@ -154,12 +245,8 @@ namespace mpm_granular::Grid
   NodalFields<dim>::activate_late(const unsigned int cell)
   {
     activate(cell);
-    mesh.visit([&](const auto &cells) {
-      using Cell  = typename std::decay_t<decltype(cells)>::value_type;
-      auto &slots = this->template cells<Cell>().nodes.emplace_back();
-      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-        slots[k] = node_slot[cells[cell].node[k]];
-    });
+    visit([](auto &cells) { cells.nodes.emplace_back(); });
+    find_slots_of_vertices(active_cells.size() - 1);
   }
 
   template <int dim>
@@ -184,8 +271,11 @@ namespace mpm_granular::Grid
   void
   NodalFields<dim>::gather_forces()
   {
+    // Those of cells at hanging nodes first go there, then to the free nodes.
+    const unsigned int n = active_nodes.size();
     for (auto &node : sums)
       node.force = 0.;
+    sums.resize(n + hanging.size());
     mesh.visit([&](const auto &cells) {
       using Cell         = typename std::decay_t<decltype(cells)>::value_type;
       const auto &active = this->template cells<Cell>();
@@ -195,6 +285,9 @@ namespace mpm_granular::Grid
                          active.nodes[c],
                          sums);
     });
+    for (unsigned int slot = n; slot < sums.size(); ++slot)
+      hanging.add_at(sums, slot, NodeSums<dim>(sums[slot]));
+    sums.resize(n);
     if (shared.is_serial())
       return;
     partial.resize(sums.size());
@@ -222,13 +315,13 @@ namespace mpm_granular::Grid
             std::tuple_size_v<std::decay_t<decltype(nodes)>>;
           std::array<Tensor<1, dim>, n_nodes> local;
           for (unsigned int k = 0; k < n_nodes; ++k)
-            local[k] = field[nodes[k]];
+            local[k] = hanging.value_at(field, nodes[k]);
           for (unsigned int k = 0; k < n_nodes; ++k)
             {
               Tensor<1, dim> sum;
               for (unsigned int j = 0; j < n_nodes; ++j)
                 sum += mass(k, j) * local[j];
-              sum_here[nodes[k]] += sum;
+              hanging.add_at(sum_here, nodes[k], sum);
             }
         }
     });

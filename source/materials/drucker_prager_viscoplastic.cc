@@ -237,6 +237,29 @@ namespace mpm_granular::Materials
 
 
   template <int dim>
+  void
+  DruckerPragerViscoplastic<dim>::reconcile(Points::PointArrays<dim> &points,
+                                            const Points::Run         run) const
+  {
+    StressColumns<dim> stress(points, 0);
+    for (unsigned int i = run.begin; i < run.end; ++i)
+      {
+        const Stress<dim> old          = stress.load(i);
+        const double      old_pressure = pressure(old);
+        const double      new_pressure =
+          std::max(-parameters.moduli().bulk() *
+                     points.history[log_volume_ratio][i],
+                   0.);
+        Stress<dim> scaled = deviator(old);
+        for (double &component : scaled)
+          component *= old_pressure > 0. ? new_pressure / old_pressure : 0.;
+        stress.store(i, scaled, new_pressure);
+      }
+  }
+
+
+
+  template <int dim>
   std::string
   DruckerPragerViscoplastic<dim>::remark_on(
     const Stress<dim> &initial_stress) const

@@ -165,6 +165,33 @@ namespace mpm_granular::Materials
 
 
   template <int dim>
+  void
+  GranularLaw<dim>::reconcile(Points::PointArrays<dim> &points,
+                              const Points::Run         run) const
+  {
+    StressColumns<dim> stress(points, 0);
+    for (unsigned int i = run.begin; i < run.end; ++i)
+      {
+        const Stress<dim> old          = stress.load(i);
+        const double      old_pressure = pressure(old);
+        double           &gap_of_point = points.history[gap][i];
+        const double      closing =
+          std::min(std::max(old_pressure, 0.) / moduli.bulk(), gap_of_point);
+        if (closing == 0.)
+          continue;
+        gap_of_point -= closing;
+        const double new_pressure = old_pressure - moduli.bulk() * closing;
+        Stress<dim>  scaled       = deviator(old);
+        for (double &component : scaled)
+          component *=
+            (new_pressure + apex_tension()) / (old_pressure + apex_tension());
+        stress.store(i, scaled, new_pressure);
+      }
+  }
+
+
+
+  template <int dim>
   std::string
   GranularLaw<dim>::remark_on(const Stress<dim> &initial_stress) const
   {

@@ -6,9 +6,6 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/rtree.h>
 
-#include <boost/serialization/array.hpp>
-#include <boost/serialization/vector.hpp>
-
 #include <mpm_granular/mesh/background_mesh.h>
 #include <mpm_granular/mesh/cell_order.h>
 #include <mpm_granular/mesh/point_walk.h>
@@ -17,7 +14,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <sstream>
 #include <unordered_map>
 
@@ -65,23 +61,6 @@ namespace mpm_granular::Mesh
     {
       return f;
     }
-
-    /// A boundary face on its way to another rank.
-    template <int dim>
-    struct FaceMessage
-    {
-      std::array<types::global_dof_index, 1 << (dim - 1)> node;
-      std::array<double, dim>                             normal;
-      double                                              area;
-      types::boundary_id                                  boundary;
-
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int /*version*/)
-      {
-        archive &node &normal &area &boundary;
-      }
-    };
   } // namespace
 
   template <int dim>
@@ -100,15 +79,22 @@ namespace mpm_granular::Mesh
       }
     else
       {
-        auto distributed = std::make_unique<Distributed>(communicator);
-        p4est            = distributed.get();
-        tria             = std::move(distributed);
-        fe               = std::make_unique<FE_Q<dim>>(1);
-        map              = std::make_unique<MappingQ<dim>>(1);
-        all_cells        = std::vector<BoxCell<dim>>();
+        // Cells get new owners by repartition() only: not while the points
+        // have to follow refined cells.
+        auto distributed = std::make_unique<Distributed>(
+          communicator,
+          Triangulation<dim>::none,
+          Distributed::no_automatic_repartitioning);
+        p4est     = distributed.get();
+        tria      = std::move(distributed);
+        fe        = std::make_unique<FE_Q<dim>>(1);
+        map       = std::make_unique<MappingQ<dim>>(1);
+        all_cells = std::vector<BoxCell<dim>>();
       }
-    names = source.make(*tria, input_file);
-    dofs.reinit(*tria);
+    names      = source.make(*tria, input_file);
+    refinement = std::make_unique<Refinement<dim>>(*tria);
+    if (p4est != nullptr)
+      p4est->repartition();
     fill();
   }
 
@@ -129,9 +115,64 @@ namespace mpm_granular::Mesh
   }
 
   template <int dim>
+  std::optional<std::vector<unsigned int>>
+  BackgroundMesh<dim>::adapt(const std::vector<std::uint8_t> &wanted_levels)
+  {
+    AssertDimension(wanted_levels.size(), n_cells());
+    std::vector<std::uint8_t> of_active_cells(tria->n_active_cells(), 0);
+    std::vector<CellId>       before;
+    for (unsigned int cell = 0; cell < n_own; ++cell)
+      {
+        of_active_cells[iterators[cell]->active_cell_index()] =
+          wanted_levels[cell];
+        before.push_back(iterators[cell]->id());
+      }
+    if (!refinement->adapt(of_active_cells))
+      return {};
+    fill();
+    return cells_now(before);
+  }
+
+  template <int dim>
+  std::vector<unsigned int>
+  BackgroundMesh<dim>::cells_now(const std::vector<CellId> &before) const
+  {
+    std::vector<unsigned int> result;
+    for (const CellId &id : before)
+      {
+        auto cell = tria->create_cell_iterator(
+          CellId(id.get_coarse_cell_id(), 0, nullptr));
+        for (const auto child : id.get_child_indices())
+          if (cell->has_children())
+            cell = cell->child(child);
+        while (cell->has_children())
+          cell = cell->child(0);
+        result.push_back(flat_index(CellIterator(cell)));
+      }
+    return result;
+  }
+
+  template <int dim>
+  std::vector<std::uint8_t>
+  BackgroundMesh<dim>::refinement_tree() const
+  {
+    return refinement->tree();
+  }
+
+  template <int dim>
+  void
+  BackgroundMesh<dim>::set_refinement_tree(
+    const std::vector<std::uint8_t> &tree)
+  {
+    refinement->grow(tree);
+    fill();
+  }
+
+  template <int dim>
   void
   BackgroundMesh<dim>::fill()
   {
+    dofs.reinit(*tria);
     dofs.distribute_dofs(*fe);
     order_cells();
     number_cells_globally();
@@ -142,7 +183,8 @@ namespace mpm_granular::Mesh
         fill_faces(cells);
       },
       all_cells);
-    complete_at_ghosts();
+    complete_nodes();
+    find_node_volumes();
     measure();
   }
 
@@ -219,7 +261,6 @@ namespace mpm_granular::Mesh
   {
     volumes.resize(cells.size());
     node_positions.resize(global_nodes.size());
-    node_volumes.assign(global_nodes.size(), 0.);
     for (unsigned int index = 0; index < cells.size(); ++index)
       {
         const auto    &iterator = iterators[index];
@@ -248,7 +289,6 @@ namespace mpm_granular::Mesh
           {
             const Point<dim> &vertex     = iterator->vertex(k);
             node_positions[cell.node[k]] = vertex;
-            node_volumes[cell.node[k]] += volumes[index] / Cell::n_nodes;
             // The affine map must bring all vertices to those of the reference
             // cell.
             constexpr double tolerance = 1e-6;
@@ -278,8 +318,7 @@ namespace mpm_granular::Mesh
             const unsigned int number   = face_number(cell, iterator, f);
             if (!iterator->at_boundary(number))
               {
-                cell.neighbor[f] =
-                  flat_indices[iterator->neighbor(number)->active_cell_index()];
+                cell.neighbor[f] = neighbor_of(iterator, number);
                 continue;
               }
             cell.neighbor[f] = no_cell;
@@ -299,88 +338,65 @@ namespace mpm_granular::Mesh
   }
 
   template <int dim>
-  void
-  BackgroundMesh<dim>::complete_at_ghosts()
+  unsigned int
+  BackgroundMesh<dim>::neighbor_of(const CellIterator &cell,
+                                   const unsigned int  face) const
   {
-    if (!is_distributed())
-      return;
-    // The owner of a cell has all cells around its vertices.
-    using Volumes = std::vector<double>;
-    send_to_ghosts<Volumes>(
-      [&](const unsigned int cell) {
-        Volumes of_cell;
-        for (const unsigned int node : nodes(cell))
-          of_cell.push_back(node_volumes[node]);
-        return of_cell;
-      },
-      [&](const unsigned int cell, const Volumes &of_cell) {
-        for (unsigned int k = 0; k < of_cell.size(); ++k)
-          node_volumes[nodes(cell)[k]] = of_cell[k];
-      });
-
-    std::map<unsigned int, std::vector<unsigned int>> faces_of_node;
-    std::map<types::global_dof_index, unsigned int>   local_node;
-    for (unsigned int node = 0; node < n_nodes(); ++node)
-      local_node[global_nodes[node]] = node;
-    using Key         = std::vector<types::global_dof_index>;
-    const auto key_of = [](const FaceMessage<dim> &face) {
-      Key key(face.node.begin(), face.node.end());
-      std::sort(key.begin(), key.end());
-      return key;
-    };
-    std::vector<FaceMessage<dim>> messages;
-    std::set<Key>                 known;
-    for (const auto &face : faces)
+    auto             neighbor = cell->neighbor(face);
+    const Point<dim> center   = cell->face(face)->center();
+    while (neighbor->has_children())
       {
-        FaceMessage<dim> message;
-        for (unsigned int k = 0; k < face.node.size(); ++k)
+        auto   next    = neighbor->child(0);
+        double nearest = std::numeric_limits<double>::max();
+        for (unsigned int c = 0; c < neighbor->n_children(); ++c)
           {
-            message.node[k] = global_nodes[face.node[k]];
-            faces_of_node[face.node[k]].push_back(messages.size());
-          }
-        for (unsigned int d = 0; d < dim; ++d)
-          message.normal[d] = face.normal[d];
-        message.area     = face.area;
-        message.boundary = face.boundary;
-        messages.push_back(message);
-        known.insert(key_of(message));
-      }
-
-    std::vector<BoundaryFace<dim>> further;
-    send_to_ghosts<std::vector<FaceMessage<dim>>>(
-      [&](const unsigned int cell) {
-        std::set<unsigned int> around;
-        for (const unsigned int node : nodes(cell))
-          if (const auto found = faces_of_node.find(node);
-              found != faces_of_node.end())
-            around.insert(found->second.begin(), found->second.end());
-        std::vector<FaceMessage<dim>> of_cell;
-        for (const unsigned int face : around)
-          of_cell.push_back(messages[face]);
-        return of_cell;
-      },
-      [&](const unsigned int /*cell*/,
-          const std::vector<FaceMessage<dim>> &of_cell) {
-        for (const auto &message : of_cell)
-          {
-            if (!known.insert(key_of(message)).second)
-              continue;
-            BoundaryFace<dim> face;
-            face.cell     = unknown_cell;
-            face.boundary = message.boundary;
-            face.area     = message.area;
-            for (unsigned int d = 0; d < dim; ++d)
-              face.normal[d] = message.normal[d];
-            for (const auto global : message.node)
+            const auto   child    = neighbor->child(c);
+            const double distance = child->center().distance(center);
+            const bool   is_known =
+              child->has_children() ||
+              flat_index(CellIterator(child)) != unknown_cell;
+            if (is_known && distance < nearest)
               {
-                const auto found = local_node.find(global);
-                face.node.push_back(found == local_node.end() ? unknown_node :
-                                                                found->second);
+                nearest = distance;
+                next    = child;
               }
-            further.push_back(face);
           }
-      });
-    faces.insert(faces.end(), further.begin(), further.end());
+        neighbor = next;
+      }
+    return flat_index(CellIterator(neighbor));
+  }
+
+  template <int dim>
+  std::vector<unsigned int>
+  BackgroundMesh<dim>::free_nodes(const unsigned int cell) const
+  {
+    std::vector<unsigned int> result;
+    for (const unsigned int node : nodes(cell))
+      if (const auto *entries = hanging.get_constraint_entries(node))
+        for (const auto &entry : *entries)
+          result.push_back(entry.first);
+      else
+        result.push_back(node);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  template <int dim>
+  void
+  BackgroundMesh<dim>::interpolate_to_hanging_nodes(
+    std::vector<double> &values,
+    const unsigned int   n_values) const
+  {
+    AssertDimension(values.size(), n_nodes() * n_values);
+    for (const auto &line : hanging.get_lines())
+      for (unsigned int v = 0; v < n_values; ++v)
+        {
+          double sum = 0.;
+          for (const auto &[free, weight] : line.entries)
+            sum += weight * values[free * n_values + v];
+          values[line.index * n_values + v] = sum;
+        }
   }
 
   template <int dim>
@@ -400,10 +416,19 @@ namespace mpm_granular::Mesh
 
     const double from_cells =
       sum(std::accumulate(volumes.begin(), volumes.begin() + n_own, 0.));
-    const double per_box = visit([](const auto &cells) {
+    const double per_box     = visit([](const auto &cells) {
       return std::decay_t<decltype(cells)>::value_type::reference_volume;
     });
-    mean_size = std::pow(from_cells / n_global_cells() / per_box, 1. / dim);
+    const int    finest      = tria->n_global_levels() - 1;
+    double       n_finest    = 0.;
+    double       from_finest = 0.;
+    for (unsigned int cell = 0; cell < n_own; ++cell)
+      if (iterators[cell]->level() == finest)
+        {
+          from_finest += volumes[cell];
+          ++n_finest;
+        }
+    mean_size = std::pow(sum(from_finest) / sum(n_finest) / per_box, 1. / dim);
 
     // The volume by the divergence theorem over the surface must be the sum of
     // the cells': a reader that garbles connectivity fails here.
@@ -585,10 +610,11 @@ namespace mpm_granular::Mesh
   template void BackgroundMesh<dim>::send_to_ghosts( \
     const std::function<Data(const unsigned int)> &, \
     const std::function<void(const unsigned int, const Data &)> &) const;
+  // What Adaptivity::State sends.
+  INSTANTIATE(2, unsigned int)
+  INSTANTIATE(3, unsigned int)
   // What Partition sends.
   INSTANTIATE(2, std::vector<unsigned int>)
   INSTANTIATE(3, std::vector<unsigned int>)
-  INSTANTIATE(2, std::vector<std::vector<unsigned int>>)
-  INSTANTIATE(3, std::vector<std::vector<unsigned int>>)
 #undef INSTANTIATE
 } // namespace mpm_granular::Mesh

@@ -4,6 +4,7 @@
 #include <mpm_granular/mesh/cell_order.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <tuple>
 
@@ -22,11 +23,13 @@ namespace mpm_granular::Mesh
   Cells<dim>
   hilbert_order(const Triangulation<dim> &triangulation)
   {
-    const Cells<dim>        given(triangulation.active_cell_iterators().begin(),
-                           triangulation.active_cell_iterators().end());
-    std::vector<Point<dim>> places;
-    for (const auto &cell : given)
-      places.push_back(cell->center());
+    std::vector<typename Triangulation<dim>::cell_iterator> given;
+    std::vector<Point<dim>>                                 places;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      {
+        given.push_back(cell);
+        places.push_back(cell->center());
+      }
 
     // deal.II stretches the box around the places to a cube. A corner that
     // makes it one keeps near what is near, also in a slice or a channel.
@@ -50,9 +53,16 @@ namespace mpm_granular::Mesh
                      [&](const unsigned int a, const unsigned int b) {
                        return keys[a] < keys[b];
                      });
-    Cells<dim> cells;
+    Cells<dim>                                                            cells;
+    const std::function<void(typename Triangulation<dim>::cell_iterator)> add =
+      [&](const auto &cell) {
+        if (cell->is_active())
+          cells.push_back(cell);
+        for (unsigned int c = 0; c < cell->n_children(); ++c)
+          add(cell->child(c));
+      };
     for (const unsigned int index : order)
-      cells.push_back(given[index]);
+      add(given[index]);
     return cells;
   }
 

@@ -2,11 +2,16 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <mpm_granular/mesh/ask_owners.h>
 #include <mpm_granular/mesh/partition.h>
 
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <unordered_map>
 
 namespace mpm_granular::Mesh
 {
@@ -31,24 +36,73 @@ namespace mpm_granular::Mesh
           list.push_back(rank);
     }
 
-    /// Adds to the ranks known at the nodes of ghost cells those that the
-    /// owners of these cells know of.
+    /// Adds to the ranks known at each node of a distributed mesh those that
+    /// others know of.
     template <int dim>
     void
-    complete_at_ghost_nodes(const BackgroundMesh<dim> &mesh,
-                            std::vector<Ranks>        &of_nodes)
+    complete_at_nodes(const BackgroundMesh<dim> &mesh,
+                      std::vector<Ranks>        &of_nodes)
     {
-      mesh.template send_to_ghosts<std::vector<Ranks>>(
-        [&](const unsigned int cell) {
-          std::vector<Ranks> of_cell;
-          for (const unsigned int node : mesh.nodes(cell))
-            of_cell.push_back(of_nodes[node]);
-          return of_cell;
-        },
-        [&](const unsigned int cell, const std::vector<Ranks> &of_cell) {
-          for (unsigned int k = 0; k < of_cell.size(); ++k)
-            insert(of_nodes[mesh.nodes(cell)[k]], of_cell[k]);
+      if (!mesh.is_distributed())
+        return;
+      using Global                 = types::global_dof_index;
+      const IndexSet &owned        = mesh.dof_handler().locally_owned_dofs();
+      const MPI_Comm  communicator = mesh.mpi_communicator();
+
+      GlobalIndices                            known;
+      std::unordered_map<Global, unsigned int> local;
+      for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
+        {
+          known.push_back(mesh.global_node(node));
+          local[known.back()] = node;
+        }
+      std::map<unsigned int, std::vector<std::pair<Global, Ranks>>> reports;
+      for (const auto &[rank, nodes] : by_owner(owned, known, communicator))
+        for (const Global node : nodes)
+          reports[rank].emplace_back(node, of_nodes[local.at(node)]);
+      for (const auto &[rank, of_rank] :
+           Utilities::MPI::some_to_some(communicator, reports))
+        for (const auto &[node, ranks] : of_rank)
+          insert(of_nodes[local.at(node)], ranks);
+      for (const auto &[node, ranks] : ask_owners<Ranks>(
+             owned, known, communicator, [&](const Global node) {
+               return of_nodes[local.at(node)];
+             }))
+        of_nodes[local.at(node)] = ranks;
+    }
+
+    /// The ranks that own each cell, or have it as a ghost.
+    template <int dim>
+    std::vector<Ranks>
+    ranks_seeing(const Partition<dim>      &partition,
+                 const BackgroundMesh<dim> &mesh,
+                 const std::vector<Ranks>  &owning)
+    {
+      std::vector<Ranks> seeing(mesh.n_cells());
+      if (!mesh.is_distributed())
+        {
+          for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+            for (const unsigned int node : mesh.free_nodes(cell))
+              insert(seeing[cell], owning[node]);
+          return seeing;
+        }
+      std::map<unsigned int, std::vector<unsigned int>> ghosts;
+      for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+        if (const auto global = mesh.global_cell(cell);
+            partition.is_owned(cell))
+          seeing[cell] = {partition.rank};
+        else
+          ghosts[partition.owner(global)].push_back(global);
+      for (const auto &[rank, cells] :
+           Utilities::MPI::some_to_some(mesh.mpi_communicator(), ghosts))
+        for (const unsigned int global : cells)
+          seeing[mesh.local_cell(global)].push_back(rank);
+      mesh.template send_to_ghosts<Ranks>(
+        [&](const unsigned int cell) { return seeing[cell]; },
+        [&](const unsigned int cell, const Ranks &ranks) {
+          seeing[cell] = ranks;
         });
+      return seeing;
     }
 
     template <class Key>
@@ -91,10 +145,6 @@ namespace mpm_granular::Mesh
     , method(parameters.method)
     , mesh(mesh)
   {
-    if (!mesh.is_distributed())
-      owners.assign(mesh.n_cells(), 0);
-    reachable.assign(mesh.n_cells(), true);
-    own_nodes.assign(mesh.n_nodes(), true);
     distribute(std::vector<std::uint32_t>(mesh.n_cells(), 1));
   }
 
@@ -103,8 +153,14 @@ namespace mpm_granular::Mesh
   Partition<dim>::distribute(const std::vector<std::uint32_t> &n_points)
   {
     AssertDimension(n_points.size(), mesh.n_cells());
+    if (!mesh.is_distributed())
+      owners.assign(mesh.n_cells(), 0);
     if (n_ranks == 1)
-      return;
+      {
+        reachable.assign(mesh.n_cells(), true);
+        own_nodes.assign(mesh.n_nodes(), true);
+        return;
+      }
     if (mesh.is_distributed())
       {
         // Cells without points cost little, but not nothing.
@@ -201,31 +257,19 @@ namespace mpm_granular::Mesh
   void
   Partition<dim>::find_neighbors()
   {
-    // The ranks that own a cell around each node; then, those that own or see
-    // each cell; then, those that may have points around each node. The owner
-    // of a cell has all cells around it; what it finds is sent to the others
-    // that have the cell.
+    // The ranks that own a cell that depends on a node; then, those that own or
+    // see each cell; then, those that may have points around each node.
     std::vector<Ranks> owning(mesh.n_nodes());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      for (const unsigned int node : mesh.nodes(cell))
+      for (const unsigned int node : mesh.free_nodes(cell))
         insert(owning[node], {owner(mesh.global_cell(cell))});
-    complete_at_ghost_nodes(mesh, owning);
-
-    std::vector<Ranks> seeing(mesh.n_cells());
+    complete_at_nodes(mesh, owning);
+    const std::vector<Ranks> seeing = ranks_seeing(*this, mesh, owning);
+    std::vector<Ranks>       meeting(mesh.n_nodes());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      for (const unsigned int node : mesh.nodes(cell))
-        insert(seeing[cell], owning[node]);
-    mesh.template send_to_ghosts<Ranks>(
-      [&](const unsigned int cell) { return seeing[cell]; },
-      [&](const unsigned int cell, const Ranks &ranks) {
-        seeing[cell] = ranks;
-      });
-
-    std::vector<Ranks> meeting(mesh.n_nodes());
-    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      for (const unsigned int node : mesh.nodes(cell))
+      for (const unsigned int node : mesh.free_nodes(cell))
         insert(meeting[node], seeing[cell]);
-    complete_at_ghost_nodes(mesh, meeting);
+    complete_at_nodes(mesh, meeting);
 
     reachable.resize(mesh.n_cells());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)

@@ -94,6 +94,7 @@ namespace mpm_granular::Momentum
     mass.solve(scratch, &constraints, old_velocity);
     for (unsigned int i = 0; i < n; ++i)
       fields.motion[i].straining = old_velocity[i];
+    fields.extend_motion();
   }
 
   template <int dim>
@@ -129,6 +130,7 @@ namespace mpm_granular::Momentum
         fields.motion[i].velocity = new_velocity[i];
         fields.motion[i].change   = change[i];
       }
+    fields.extend_motion();
   }
 
   template <int dim>
@@ -171,6 +173,7 @@ namespace mpm_granular::Momentum
     mass.solve(scratch, &holding(step), change);
     for (unsigned int i = 0; i < n; ++i)
       fields.motion[i].straining = change[i];
+    fields.extend_motion();
   }
 
   template <int dim>

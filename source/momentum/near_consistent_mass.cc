@@ -195,15 +195,16 @@ namespace mpm_granular::Momentum
 
   template <int dim>
   void
-  NearConsistentMass<dim>::reinit(const Mesh::BackgroundMesh<dim> &mesh)
+  NearConsistentMass<dim>::reinit(const Mesh::BackgroundMesh<dim> &new_mesh)
   {
-    DynamicSparsityPattern pattern(mesh.n_nodes());
-    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+    mesh = &new_mesh;
+    DynamicSparsityPattern pattern(mesh->n_nodes());
+    for (unsigned int cell = 0; cell < mesh->n_cells(); ++cell)
       {
-        const auto nodes = mesh.nodes(cell);
-        for (const unsigned int row : nodes)
-          for (const unsigned int column : nodes)
-            pattern.add(row, column);
+        const auto nodes = mesh->nodes(cell);
+        mesh->hanging_nodes().add_entries_local_to_global(
+          std::vector<types::global_dof_index>(nodes.begin(), nodes.end()),
+          pattern);
       }
     matrix.reinit(pattern);
   }
@@ -221,18 +222,29 @@ namespace mpm_granular::Momentum
       std::vector<types::global_dof_index> nodes(n_nodes);
       for (unsigned int c = 0; c < cells.nodes.size(); ++c)
         {
-          local = 0.;
+          const auto on_cell = mesh->nodes(fields->active_cells[c]);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
-              nodes[i] = fields->active_nodes[cells.nodes[c][i]];
+              nodes[i]      = on_cell[i];
+              double lumped = 0.;
               for (unsigned int j = 0; j < n_nodes; ++j)
                 {
                   const double mass = cells.sums[c].mass(i, j);
-                  local(i, j) += alpha * mass;
-                  local(i, i) += (1. - alpha) * mass;
+                  local(i, j)       = alpha * mass;
+                  lumped += (1. - alpha) * mass;
                 }
+              // Lumping keeps the sums of rows, also of those that go to
+              // several nodes.
+              if (const auto *mean =
+                    mesh->hanging_nodes().get_constraint_entries(nodes[i]))
+                for (const auto &[free, weight] : *mean)
+                  matrix.add(free, free, weight * lumped);
+              else
+                local(i, i) += lumped;
             }
-          matrix.add(nodes, local);
+          mesh->hanging_nodes().distribute_local_to_global(local,
+                                                           nodes,
+                                                           matrix);
         }
     });
     matrix.compress(VectorOperation::add);

@@ -130,7 +130,9 @@ namespace mpm_granular::Output
       .add("messages_per_step", messages_per_step)
       .add("bytes_sent_per_step", bytes_sent_per_step)
       .add("redistributions", n_redistributions)
-      .add("largest_imbalance", largest_imbalance);
+      .add("largest_imbalance", largest_imbalance)
+      .add("adaptations", n_adaptations)
+      .add("adaptation_seconds", adaptation_time);
 
     JsonObject manifest;
     manifest.add("program", "mpm_granular")

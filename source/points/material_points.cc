@@ -1,7 +1,9 @@
 #include <deal.II/base/mpi.h>
 
+#include <mpm_granular/mesh/point_walk.h>
 #include <mpm_granular/points/material_points.h>
 #include <mpm_granular/points/migration.h>
+#include <mpm_granular/points/splitting.h>
 
 #include <algorithm>
 #include <limits>
@@ -112,6 +114,14 @@ namespace mpm_granular::Points
 
   template <int dim>
   void
+  MaterialPoints<dim>::clear()
+  {
+    working_set.resize(0, names.size());
+    n_ids = 0;
+  }
+
+  template <int dim>
+  void
   MaterialPoints<dim>::load()
   {
     working_set.resize(particles.n_locally_owned_particles(), names.size());
@@ -213,6 +223,47 @@ namespace mpm_granular::Points
   }
 
   template <int dim>
+  void
+  MaterialPoints<dim>::pull_inside()
+  {
+    mesh.visit([&](const auto &cells) {
+      for (unsigned int p = 0; p < working_set.size(); ++p)
+        {
+          const auto       &cell    = cells[working_set.cell[p]];
+          const Point<dim> &x       = working_set.location(p);
+          const auto        heights = cell.heights(x);
+          if (*std::min_element(heights.begin(), heights.end()) >=
+              -Mesh::inside_tolerance)
+            continue;
+          const auto values = cell.inner_shape_values(x, 0.);
+          Point<dim> inside;
+          for (unsigned int k = 0; k < values.size(); ++k)
+            inside += values[k] * mesh.node_position(cell.node[k]);
+          for (unsigned int d = 0; d < dim; ++d)
+            working_set.position[d][p] = inside[d];
+        }
+    });
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::follow(const std::vector<unsigned int> &new_cells)
+  {
+    mesh.visit([&](const auto &cells) {
+      for (unsigned int p = 0; p < working_set.size(); ++p)
+        {
+          const auto found = Mesh::walk_to(cells,
+                                           working_set.location(p),
+                                           new_cells[working_set.cell[p]]);
+          AssertThrow(found.cell != Mesh::no_cell && !found.is_beyond_reach,
+                      ExcInternalError());
+          working_set.cell[p] = found.cell;
+        }
+    });
+    order();
+  }
+
+  template <int dim>
   std::vector<std::uint32_t>
   MaterialPoints<dim>::count_by_cell() const
   {
@@ -222,6 +273,29 @@ namespace mpm_granular::Points
     if (!mesh.is_distributed())
       Utilities::MPI::sum(counts, partition.communicator, counts);
     return counts;
+  }
+
+  template <int dim>
+  std::size_t
+  MaterialPoints<dim>::split(const unsigned int least_per_cell)
+  {
+    const std::size_t n_old = working_set.size();
+    const std::size_t n_new = Points::split(mesh, working_set, least_per_cell);
+    const auto        n_new_of_ranks =
+      Utilities::MPI::all_gather(partition.communicator, n_new);
+    const auto before = n_new_of_ranks.begin() + partition.rank;
+
+    std::uint64_t first_id =
+      std::accumulate(n_new_of_ranks.begin(), before, n_ids);
+    n_ids = std::accumulate(before, n_new_of_ranks.end(), first_id);
+    if (n_ids > std::numeric_limits<std::uint32_t>::max())
+      throw ComputationError("So many points have been made by splitting that "
+                             "there are no more numbers for them.");
+    for (std::size_t p = n_old; p < working_set.size(); ++p)
+      working_set.id[p] += first_id;
+    if (n_new > 0)
+      order();
+    return n_new;
   }
 
   template <int dim>
@@ -244,6 +318,7 @@ namespace mpm_granular::Points
   {
     const auto   array_names = PointArrays<dim>::array_names(names);
     unsigned int index       = 0;
+    archive.replicated("points/n_ids", n_ids);
     working_set.for_each_array([&](auto &array) {
       archive.distributed("points/" + array_names[index++], array);
     });

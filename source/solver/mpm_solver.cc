@@ -16,6 +16,8 @@ namespace mpm_granular::Solver
   MPMSolver<dim>::advance_one_step(const double    next_event,
                                    const Requests &requests)
   {
+    if (adaptation.is_active())
+      adapt_mesh();
     const double dt =
       step_control.next_step(step_limits(), current_time, next_event); // (T25)
 
@@ -45,7 +47,8 @@ namespace mpm_granular::Solver
   {
     agree_on_state(requests);
     ++n_steps;
-    last_time_step      = time_step;
+    last_time_step = time_step;
+    displacement += time_step * step_limits().largest_speed;
     const double missed = next_event - current_time - time_step;
     current_time        = std::abs(missed) < 1e-12 * time_step ?
                             next_event :
@@ -263,7 +266,8 @@ namespace mpm_granular::Solver
     const auto n_points = points.count_by_cell();
     points.release();
     partition.distribute(n_points);
-    reinit_on_mesh();
+    if (mesh.is_distributed())
+      reinit_on_mesh();
     points.send_home();
     project();
   }
@@ -272,11 +276,10 @@ namespace mpm_granular::Solver
   void
   MPMSolver<dim>::reinit_on_mesh()
   {
-    if (!mesh.is_distributed())
-      return;
     fields.reinit();
     boundary.reinit();
     momentum.reinit();
+    averaging.reinit(mesh, partition, largest_specific_volumes());
     find_cell_limits();
   }
 

@@ -357,6 +357,7 @@ namespace mpm_granular::Solver
           of_node[1 + dim] = pressure[slot];
         }
     solver.spread_to_own_cells(values, n_values);
+    solver.background_mesh().interpolate_to_hanging_nodes(values, n_values);
     grid_output.write(solver.time(),
                       solver.step(),
                       solver.background_mesh(),
@@ -411,6 +412,11 @@ namespace mpm_granular::Solver
     const auto &load            = solver.load_balance();
     manifest.n_redistributions  = load.n_redistributions;
     manifest.largest_imbalance  = load.largest_imbalance;
+    const auto &changes         = solver.mesh_changes();
+    manifest.n_adaptations      = changes.n_adaptations;
+    manifest.adaptation_time    = changes.seconds;
+    manifest.n_cells            = solver.background_mesh().n_global_cells();
+    manifest.n_nodes            = solver.background_mesh().n_global_nodes();
     const auto          sent    = solver.nodal_fields().traffic();
     const std::uint64_t n_steps = solver.step() - before.n_steps;
     if (n_steps > 0)
@@ -439,6 +445,11 @@ namespace mpm_granular::Solver
                   "; the process with the most points had up to " +
                   Output::short_text(100. * load.largest_imbalance) +
                   " % more than the mean.");
+    if (parameters.adaptation.is_wanted())
+      console.say("Adaptive mesh: changed " +
+                  Output::count_text(changes.n_adaptations) + " times, in " +
+                  Output::duration_text(changes.seconds) + "; it has " +
+                  Output::count_text(manifest.n_cells) + " cells.");
     console.say("Results in " + folder.path());
   }
 

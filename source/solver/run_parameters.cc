@@ -63,6 +63,7 @@ namespace mpm_granular::Solver
                           "Source",
                           "Where the background mesh comes from:");
     });
+    add_section(prm, "Adaptive mesh", [&] { adaptation.add_parameters(prm); });
     add_section(prm, "Materials", [&] {
       materials.add_parameters(
         prm, "Materials, each with a subsection of its name.");
@@ -116,6 +117,7 @@ namespace mpm_granular::Solver
   RunParameters<dim>::check() const
   {
     mesh->check();
+    adaptation.check();
     check_named("Materials", materials);
     check_named("Points", regions);
     const auto &known = materials.all_names();

@@ -30,6 +30,7 @@ namespace mpm_granular::Solver
   void
   MPMSolver<dim>::serialize(Core::Archive &archive)
   {
+    serialize_mesh(archive);
     const std::uint64_t fingerprint_now =
       Mesh::fingerprint(mesh, partition.communicator);
     std::uint64_t fingerprint = fingerprint_now;

@@ -56,18 +56,6 @@ namespace mpm_granular::Solver
         density = std::min(density, law->density());
       return density;
     }
-    /// By material, the volume per mass that may be filled.
-    template <int dim>
-    std::vector<double>
-    largest_specific_volumes(const Laws<dim> &laws)
-    {
-      std::vector<double> volumes;
-      for (const auto *law : laws)
-        volumes.push_back(law->forms_gaps() ?
-                            1. / law->density() :
-                            std::numeric_limits<double>::infinity());
-      return volumes;
-    }
   } // namespace
 
   template <int dim>
@@ -77,6 +65,7 @@ namespace mpm_granular::Solver
     : parameters(parameters)
     , mesh(*parameters.mesh, input_file, communicator)
     , partition(parameters.partition, mesh, communicator)
+    , adaptation(parameters.adaptation)
     , laws(laws_of(parameters))
     , points(mesh, partition, history_names<dim>(laws))
     , fields(mesh, partition)
@@ -86,9 +75,9 @@ namespace mpm_granular::Solver
     , step_control(parameters.time_step)
     , sweep(mesh, partition, laws, averaging)
   {
-    averaging.reinit(mesh, partition, largest_specific_volumes<dim>(laws));
+    averaging.reinit(mesh, partition, largest_specific_volumes());
     check_contact();
-    create_points(input_file);
+    create_points_on_adapted_mesh(input_file);
     set_initial_state();
     if (parameters.equilibrium.is_wanted)
       prepare_settling();
@@ -183,6 +172,18 @@ namespace mpm_granular::Solver
                                 remark);
           }
       }
+  }
+
+  template <int dim>
+  std::vector<double>
+  MPMSolver<dim>::largest_specific_volumes() const
+  {
+    std::vector<double> volumes;
+    for (const auto *law : laws)
+      volumes.push_back(law->forms_gaps() ?
+                          1. / law->density() :
+                          std::numeric_limits<double>::infinity());
+    return volumes;
   }
 
   template <int dim>

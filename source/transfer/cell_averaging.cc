@@ -65,7 +65,7 @@ namespace mpm_granular::Transfer
     for (unsigned int c = 0; c < fields.active_cells.size(); ++c)
       {
         const auto is_full = [&](const unsigned int node) {
-          return filling.fraction(node) > Filling<dim>::full;
+          return filling.fraction(fields, node) > Filling<dim>::full;
         };
         const double volume = filling.of_cell(c);
         if (volume == 0. || !std::all_of(active.nodes[c].begin(),

@@ -62,7 +62,9 @@ namespace mpm_granular::Transfer
     for (unsigned int c = 0; c < fields.active_cells.size(); ++c)
       if (partition->is_owned(fields.active_cells[c]))
         for (unsigned int k = 0; k < n_nodes; ++k)
-          fractions[active.nodes[c][k]] += parts[c * n_nodes + k];
+          fields.hanging.add_at(fractions,
+                                active.nodes[c][k],
+                                parts[c * n_nodes + k]);
     fields.shared.sum(fractions.data(), 1);
     for (unsigned int i = 0; i < fractions.size(); ++i)
       fractions[i] /= mesh->node_volume(fields.active_nodes[i]);

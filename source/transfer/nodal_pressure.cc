@@ -8,11 +8,13 @@ namespace mpm_granular::Transfer
                  const Points::PointArrays<dim>  &points,
                  Grid::NodalFields<dim>          &fields)
   {
-    struct Sums
+    enum
     {
-      double volume, pressure;
+      volume,
+      pressure
     };
-    std::vector<Sums> sums(fields.n_active_nodes(), Sums{0., 0.});
+    using Sums = std::array<double, 2>;
+    std::vector<Sums> sums(fields.n_active_nodes(), Sums());
     mesh.visit([&](const auto &cells) {
       for (unsigned int p = 0; p < points.size(); ++p)
         {
@@ -20,17 +22,17 @@ namespace mpm_granular::Transfer
           const auto  shape_values = cell.shape_values(points.location(p));
           for (unsigned int k = 0; k < shape_values.size(); ++k)
             {
-              Sums        &node  = sums[fields.slot_of(cell.node[k])];
               const double share = shape_values[k] * points.volume[p];
-              node.volume += share;
-              node.pressure += share * points.pressure(p);
+              fields.hanging.add_at(sums,
+                                    fields.slot_of(cell.node[k]),
+                                    Sums{{share, share * points.pressure(p)}});
             }
         }
     });
-    fields.shared.sum(&sums.data()->volume, 2);
+    fields.shared.sum(sums);
     std::vector<double> means;
     for (const auto &node : sums)
-      means.push_back(node.volume > 0. ? node.pressure / node.volume : 0.);
+      means.push_back(node[volume] > 0. ? node[pressure] / node[volume] : 0.);
     return means;
   }
 

@@ -35,8 +35,7 @@ namespace mpm_granular::Transfer
     clear();
 
     const auto lowest_node = [&](const unsigned int cell) {
-      const auto nodes = mesh->nodes(cell);
-      return *std::min_element(nodes.begin(), nodes.end());
+      return mesh->free_nodes(cell).front();
     };
     first_cell.assign(mesh->n_nodes() + 1, 0);
     for (unsigned int cell = 0; cell < mesh->n_cells(); ++cell)
@@ -119,8 +118,11 @@ namespace mpm_granular::Transfer
         const auto &nodes   = active.nodes[c];
         bool        is_full = true;
         for (const unsigned int node : nodes)
-          is_full &= filling.fraction(node) > Filling<dim>::full;
-        const double volume = filling.of_cell(c);
+          is_full &= filling.fraction(fields, node) > Filling<dim>::full;
+        const double                     volume = filling.of_cell(c);
+        std::array<Stress<dim>, n_nodes> at_nodes;
+        for (unsigned int k = 0; k < n_nodes; ++k)
+          at_nodes[k] = fields.hanging.value_at(stresses, nodes[k]);
         const double own_factor =
           (1. - averaged_part) *
           (is_full && volume > 0. ?
@@ -132,7 +134,7 @@ namespace mpm_granular::Transfer
             for (unsigned int k = 0; k < n_nodes; ++k)
               {
                 own += parts[c * n_parts + s * n_nodes + k];
-                around += stresses[nodes[k]][s];
+                around += at_nodes[k][s];
               }
             total[s] =
               own_factor * own + averaged_part * cell_weights[c] * around;
@@ -145,8 +147,8 @@ namespace mpm_granular::Transfer
   void
   NodeAveraging<dim>::activate_enclosed(Grid::NodalFields<dim> &fields) const
   {
-    const auto is_active = [&](const unsigned int node) {
-      return fields.is_active_node(node);
+    const auto is_known = [&](const unsigned int node) {
+      return fields.is_known_node(node);
     };
     for (const unsigned int node : fields.active_nodes)
       for (unsigned int i = first_cell[node]; i < first_cell[node + 1]; ++i)
@@ -155,7 +157,7 @@ namespace mpm_granular::Transfer
           if (fields.is_active_cell(cell) || !partition->is_owned(cell))
             continue;
           const auto nodes = mesh->nodes(cell);
-          if (std::all_of(nodes.begin(), nodes.end(), is_active))
+          if (std::all_of(nodes.begin(), nodes.end(), is_known))
             fields.activate_late(cell);
         }
   }
@@ -177,14 +179,15 @@ namespace mpm_granular::Transfer
         double fraction = 1.;
         for (const unsigned int node : active.nodes[c])
           fraction =
-            std::min(fraction, filling.fraction(node) / Filling<dim>::full);
+            std::min(fraction,
+                     filling.fraction(fields, node) / Filling<dim>::full);
         const unsigned int cell = fields.active_cells[c];
         cell_weights[c] =
           partition->is_owned(cell) ?
             mesh->cell_volume(cell) * std::max(fraction, least) :
             0.;
         for (const unsigned int node : active.nodes[c])
-          node_weights[node] += cell_weights[c];
+          fields.hanging.add_at(node_weights, node, cell_weights[c]);
       }
     fields.shared.sum(node_weights.data(), 1);
   }
@@ -200,9 +203,12 @@ namespace mpm_granular::Transfer
     for (unsigned int c = 0; c < active.nodes.size(); ++c)
       if (partition->is_owned(fields.active_cells[c]))
         for (unsigned int k = 0; k < n_nodes; ++k)
-          for (unsigned int s = 0; s < n_stress<dim>; ++s)
-            stresses[active.nodes[c][k]][s] +=
-              parts[c * n_parts + s * n_nodes + k];
+          {
+            Stress<dim> part;
+            for (unsigned int s = 0; s < n_stress<dim>; ++s)
+              part[s] = parts[c * n_parts + s * n_nodes + k];
+            fields.hanging.add_at(stresses, active.nodes[c][k], part);
+          }
     fields.shared.sum(stresses);
 
     // Where the surroundings are full the stress acts on their whole volume;
@@ -211,7 +217,7 @@ namespace mpm_granular::Transfer
     stress_factors.resize(stresses.size());
     for (unsigned int i = 0; i < stresses.size(); ++i)
       {
-        const double theta = filling.fraction(i);
+        const double theta = filling.fraction(fields, i);
         const double part =
           std::clamp((theta - half_full) / (Filling<dim>::full - half_full),
                      0.,
@@ -233,17 +239,19 @@ namespace mpm_granular::Transfer
       {
         if (cell_weights[c] == 0.)
           continue;
-        const Cell &cell    = cells[fields.active_cells[c]];
-        const auto &nodes   = active.nodes[c];
-        const auto  of_cell = straining_gradient(cell, nodes, fields);
+        const Cell &cell  = cells[fields.active_cells[c]];
+        const auto &nodes = active.nodes[c];
+        auto        part  = straining_gradient(cell, nodes, fields);
+        for (double &component : part)
+          component *= cell_weights[c];
         for (const unsigned int node : nodes)
-          for (unsigned int i = 0; i < dim * dim; ++i)
-            gradients[node][i] += cell_weights[c] * of_cell[i];
+          fields.hanging.add_at(gradients, node, part);
       }
     fields.shared.sum(gradients);
     for (unsigned int node = 0; node < gradients.size(); ++node)
       for (double &component : gradients[node])
         component /= node_weights[node];
+    fields.hanging.extend(gradients);
   }
 
   template <int dim>

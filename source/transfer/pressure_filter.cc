@@ -46,12 +46,13 @@ namespace mpm_granular::Transfer
           cell_volume[slot] += point_volume;
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
             {
-              auto        &sums  = means[slots[k]];
               const double share = shape_values[k] * point_volume;
-              sums[volume] += share;
-              sums[pressure] += share * point_pressure;
+              std::array<double, n_means> part;
+              part[volume]   = share;
+              part[pressure] = share * point_pressure;
               for (unsigned int d = 0; d < dim; ++d)
-                sums[center + d] += share * x[d];
+                part[center + d] = share * x[d];
+              fields.hanging.add_at(means, slots[k], part);
             }
         }
     });
@@ -64,6 +65,7 @@ namespace mpm_granular::Transfer
   PressureFilter<dim>::find_gradients(Grid::NodalFields<dim> &fields)
   {
     fields.shared.sum(means);
+    fields.hanging.extend(means);
     for (auto &node : means)
       if (node[volume] > 0.)
         for (unsigned int m = pressure; m < n_means; ++m)
@@ -98,15 +100,16 @@ namespace mpm_granular::Transfer
           if (determinant(map) <= flattest)
             continue;
           const Tensor<1, dim> in_space = transpose(invert(map)) * along_cell;
+          std::array<double, n_slopes> part;
+          part[weight] = cell_volume[c];
+          for (unsigned int d = 0; d < dim; ++d)
+            part[gradient + d] = cell_volume[c] * in_space[d];
           for (const unsigned int slot : slots)
-            {
-              slopes[slot][weight] += cell_volume[c];
-              for (unsigned int d = 0; d < dim; ++d)
-                slopes[slot][gradient + d] += cell_volume[c] * in_space[d];
-            }
+            fields.hanging.add_at(slopes, slot, part);
         }
     });
     fields.shared.sum(slopes);
+    fields.hanging.extend(slopes);
     for (auto &node : slopes)
       if (node[weight] > 0.)
         for (unsigned int d = 0; d < dim; ++d)

@@ -14,7 +14,7 @@ using namespace Test;
 
 template <int dim>
 void
-test(const Mesh::MeshSource<dim> &source)
+test(const Mesh::MeshSource<dim> &source, const bool is_refined = false)
 {
   const auto velocity = [](const Point<dim> &x) {
     Tensor<1, dim> v;
@@ -24,6 +24,14 @@ test(const Mesh::MeshSource<dim> &source)
   };
   ScatteredPoints<dim> alone(source, velocity, MPI_COMM_SELF);
   ScatteredPoints<dim> together(source, velocity, MPI_COMM_WORLD);
+  if (is_refined)
+    for (auto *mesh : {&alone, &together})
+      {
+        Point<dim> center;
+        for (unsigned int d = 0; d < dim; ++d)
+          center[d] = .4 + .1 * d;
+        mesh->refine_near(center);
+      }
   alone.project();
   together.project();
 
@@ -97,7 +105,8 @@ test(const Mesh::MeshSource<dim> &source)
   for (const double m : alone.points.arrays().mass)
     all_mass += m;
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    std::cout << dim << "D: as on one rank " << (error < 1e-12 * scale)
+    std::cout << dim << "D" << (is_refined ? ", refined" : "")
+              << ": as on one rank " << (error < 1e-12 * scale)
               << ", the same bits on all ranks " << same
               << ", all active nodes met "
               << (n_active == alone.fields.n_active_nodes())
@@ -113,4 +122,8 @@ main(int argc, char **argv)
   test<3>(JitteredBox<3>(4));
   test<2>(BoxMesh<2>("hypercubes", 8));
   test<3>(BoxMesh<3>("hypercubes", 6));
+  test<2>(JitteredBox<2>(4), true);
+  test<3>(JitteredBox<3>(4), true);
+  test<2>(BoxMesh<2>("hypercubes", 8), true);
+  test<3>(BoxMesh<3>("hypercubes", 6), true);
 }

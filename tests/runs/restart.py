@@ -7,8 +7,8 @@ import shutil
 import signal
 
 from _case import KINDS, Folder
-from _restart import (IS_DEBUG, OFTEN, Case, checks, column, interrupted, kill,
-                      same, uninterrupted)
+from _restart import (IS_DEBUG, OFTEN, Case, agree, checks, column, interrupted,
+                      kill, same, uninterrupted)
 
 
 def interrupt(name, dim, settings=()):
@@ -67,21 +67,6 @@ def several_ranks(dim, kind):
         case.ranks = 2
         case.run("--resume", "out")
         agree(f"{name}, one, three, two ranks", case.results(), reference)
-
-
-def agree(name, results, reference):
-    """Whether the tables of two runs are nearly the same: as many rows and
-    points, and the values of the last row to a part in ten thousand."""
-    tables = [table["observables.csv"].decode().split()
-              for table in (results, reference)]
-    names = tables[0][0].split(",")
-    rows = [dict(zip(names, map(float, table[-1].split(",")))) for table in tables]
-    different = [(n, rows[0][n], rows[1][n]) for n in names
-                 if n not in ("closure", "transfer_loss", "dt", "step") and
-                 abs(rows[0][n] - rows[1][n]) > 1e-4 * abs(rows[1][n])]
-    checks.that(len(tables[0]) == len(tables[1]) and not different and
-                results.keys() == reference.keys(),
-                f"{name}: nearly the same", str(different))
 
 
 def killed(dim, n_times):

@@ -18,13 +18,15 @@ ALLOWED = {
     "transfer": {"points", "grid", "mesh"},
     "momentum": {"grid", "mesh"},
     "boundary": {"grid", "mesh"},
+    "adaptivity": {"grid", "mesh"},
     "time": {"mesh"},
     "checkpoint": set(),
     "output": {"points", "mesh", "materials"},
     "drive": {"points", "materials", "output"},
     "observables": {"points", "mesh", "materials"},
     "solver": {"mesh", "points", "grid", "materials", "transfer", "momentum",
-               "boundary", "time", "output", "observables", "checkpoint"},
+               "boundary", "adaptivity", "time", "output", "observables",
+               "checkpoint"},
 }
 # core is the lowest room; parameters may use it, not the other way round.
 NOT_EVERYWHERE = {"core": {"parameters"}}

@@ -10,7 +10,9 @@
 #include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/points_to_grid.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 
 namespace Test
@@ -21,7 +23,7 @@ namespace Test
   struct ScatteredPoints
   {
     Mesh::BackgroundMesh<dim>   mesh;
-    const Mesh::Partition<dim>  partition;
+    Mesh::Partition<dim>        partition;
     Points::MaterialPoints<dim> points;
     Grid::NodalFields<dim>      fields;
     Transfer::PointBlock<dim>   block;
@@ -54,6 +56,35 @@ namespace Test
             arrays.velocity[d][p] = v[d];
           for (unsigned int s = 0; s < n_stress<dim>; ++s)
             arrays.stress[s][p] = scattered(9 * arrays.id[p] + s);
+        }
+    }
+
+    /// Refines the mesh near a place, to several levels, and lets the points
+    /// follow.
+    void
+    refine_near(const Point<dim> &center)
+    {
+      for (unsigned int time = 0; time < 3; ++time)
+        {
+          points.release();
+          points.send_home();
+          std::vector<std::uint8_t> wanted;
+          for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+            {
+              const double distance =
+                mesh.cell_iterator(cell)->center().distance(center);
+              wanted.push_back(std::max(0., 3.5 - distance / .12));
+            }
+          points.pull_inside();
+          if (const auto cells = mesh.adapt(wanted))
+            {
+              points.follow(*cells);
+              const auto n_points = points.count_by_cell();
+              points.release();
+              partition.distribute(n_points);
+              fields.reinit();
+              points.send_home();
+            }
         }
     }
 

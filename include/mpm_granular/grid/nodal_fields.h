@@ -5,6 +5,7 @@
 
 #include <mpm_granular/core/archive.h>
 #include <mpm_granular/grid/cell_sums.h>
+#include <mpm_granular/grid/hanging_slots.h>
 #include <mpm_granular/grid/shared_sums.h>
 #include <mpm_granular/mesh/background_mesh.h>
 
@@ -34,6 +35,29 @@ namespace mpm_granular::Grid
     dealii::Tensor<1, dim> straining; ///< whose gradient strains points (T15)
   };
 
+  template <int dim>
+  void
+  add_scaled(NodeSums<dim>       &sum,
+             const double         factor,
+             const NodeSums<dim> &value)
+  {
+    sum.mass += factor * value.mass;
+    sum.momentum += factor * value.momentum;
+    sum.force += factor * value.force;
+    sum.load += factor * value.load;
+  }
+
+  template <int dim>
+  void
+  add_scaled(NodeMotion<dim>       &sum,
+             const double           factor,
+             const NodeMotion<dim> &value)
+  {
+    sum.velocity += factor * value.velocity;
+    sum.change += factor * value.change;
+    sum.straining += factor * value.straining;
+  }
+
   /// The active cells, by slot.
   template <class Cell>
   struct ActiveCells
@@ -55,7 +79,9 @@ namespace mpm_granular::Grid
    * nodes of the cells that a rank owns are active there if they are on any
    * rank.
    *
-   * "Slot" is the place of a cell or node in the compact arrays.
+   * "Slot" is the place of a cell or node in the compact arrays. Active nodes
+   * are free; vertices of active cells at hanging nodes have slots behind them
+   * (HangingSlots).
    */
   template <int dim>
   class NodalFields
@@ -176,6 +202,16 @@ namespace mpm_granular::Grid
     add_mass_times(const std::vector<dealii::Tensor<1, dim>> &field,
                    std::vector<dealii::Tensor<1, dim>>       &result);
 
+    /// Slots of vertices at hanging nodes.
+    HangingSlots hanging;
+
+    /// Sets the motion at hanging nodes from that of the active ones (T60).
+    void
+    extend_motion()
+    {
+      hanging.extend(motion);
+    }
+
     /// Sums over the ranks at the active nodes.
     SharedSums<dim> shared;
 
@@ -213,7 +249,11 @@ namespace mpm_granular::Grid
       return cell_slot[cell];
     }
 
-    /// Slot of an active node.
+    /// Whether a field of the active nodes has a value at this node.
+    bool
+    is_known_node(const unsigned int node) const;
+
+    /// Slot of an active node, or of a hanging one that active cells have.
     unsigned int
     slot_of(const unsigned int node) const
     {
@@ -223,7 +263,7 @@ namespace mpm_granular::Grid
     std::vector<unsigned int>    active_cells; ///< flat cell by slot
     std::vector<unsigned int>    active_nodes; ///< node by slot
     std::vector<NodeSums<dim>>   sums;         ///< by node slot
-    std::vector<NodeMotion<dim>> motion;       ///< by node slot
+    std::vector<NodeMotion<dim>> motion; ///< by node slot, hanging ones too
 
     /// The sums of the cells, for checkpoints: summed again from the points
     /// they would differ by round-off.
@@ -252,14 +292,20 @@ namespace mpm_granular::Grid
       return node_slot[node];
     }
 
+    void
+    gather_at_hanging(const std::vector<unsigned int> &slots);
+    void
+    find_slots_of_vertices(const unsigned int slot);
+
     std::variant<ActiveCells<Mesh::SimplexCell<dim>>,
                  ActiveCells<Mesh::BoxCell<dim>>>
       all_cells;
 
     const Mesh::BackgroundMesh<dim> &mesh;
     const Mesh::Partition<dim>      &partition;
-    std::vector<unsigned int>        cell_slot; ///< by flat cell
-    std::vector<unsigned int>        node_slot; ///< by node
+    std::vector<unsigned int>        cell_slot;     ///< by flat cell
+    std::vector<unsigned int>        node_slot;     ///< by node
+    std::vector<unsigned int>        hanging_nodes; ///< by slot behind others
     std::vector<double>              packed; ///< of nodes, for sums over ranks
     std::vector<dealii::Tensor<1, dim>> partial; ///< this rank's part of a sum
   };

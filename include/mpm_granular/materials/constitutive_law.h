@@ -98,6 +98,14 @@ namespace mpm_granular::Materials
       return 0.;
     }
 
+    /// Makes stress and history of points fit each other again, that are means
+    /// of those of several points by volume (T85): where points in contact and
+    /// points with a gap have become one.
+    virtual void
+    reconcile(Points::PointArrays<dim> & /*points*/,
+              const Points::Run /*run*/) const
+    {}
+
     /// Human-readable warnings about an initial stress (say, outside the yield
     /// surface); empty if there is none.
     virtual std::string

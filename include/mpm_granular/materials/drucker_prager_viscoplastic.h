@@ -100,6 +100,11 @@ namespace mpm_granular::Materials
                    const std::vector<double> &target,
                    const double               fraction) const override;
 
+    /// The pressure is that of ln J_s, at the same q/p.
+    void
+    reconcile(Points::PointArrays<dim> &points,
+              const Points::Run         run) const override;
+
     std::string
     remark_on(const Stress<dim> &initial_stress) const override;
 

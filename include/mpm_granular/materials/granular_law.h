@@ -88,6 +88,11 @@ namespace mpm_granular::Materials
                    const std::vector<double> &target,
                    const double               fraction) const override;
 
+    /// Closes gaps under pressure, at the same stress over strength.
+    void
+    reconcile(Points::PointArrays<dim> &points,
+              const Points::Run         run) const override;
+
     std::string
     remark_on(const Stress<dim> &initial_stress) const override;
 

@@ -9,17 +9,20 @@
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/lac/affine_constraints.h>
 
 #include <boost/container/static_vector.hpp>
 
 #include <mpm_granular/mesh/box_cell.h>
 #include <mpm_granular/mesh/mesh_source.h>
+#include <mpm_granular/mesh/refinement.h>
 #include <mpm_granular/mesh/simplex_cell.h>
 
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -63,6 +66,9 @@ namespace mpm_granular::Mesh
    * meet them, so that what is near in space is near in memory; own cells of a
    * distributed mesh come before ghosts. A *global* number is the same on all
    * ranks, and on any number of them.
+   *
+   * A mesh that is refined in places has *hanging* nodes; the others are free.
+   * All functions of the linear space follow from their values at free nodes.
    */
   template <int dim>
   class BackgroundMesh
@@ -111,6 +117,35 @@ namespace mpm_granular::Mesh
      */
     void
     repartition(const std::vector<std::uint32_t> &weights);
+
+    /**
+     * Refines and coarsens cells, see Refinement::adapt(). Flat indices and
+     * global numbers change. Collective.
+     *
+     * @param wanted_levels by flat cell.
+     * @return nothing if the mesh is as it was; otherwise for each of the cells
+     *   that this rank owned, one that lies in its place, or (if known here)
+     *   near it.
+     */
+    std::optional<std::vector<unsigned int>>
+    adapt(const std::vector<std::uint8_t> &wanted_levels);
+
+    /// How often a cell is refined, counted from the mesh as given.
+    unsigned int
+    level(const unsigned int cell) const
+    {
+      return refinement->level(iterators[cell]);
+    }
+
+    /// All that is refined, see Refinement::tree(); for checkpoints.
+    /// Collective.
+    std::vector<std::uint8_t>
+    refinement_tree() const;
+
+    /// Makes the mesh with this refinement_tree() from the one given.
+    /// Collective.
+    void
+    set_refinement_tree(const std::vector<std::uint8_t> &tree);
 
     const dealii::Triangulation<dim> &
     triangulation() const
@@ -216,7 +251,32 @@ namespace mpm_granular::Mesh
       });
     }
 
-    /// The cells behind the faces of a cell, no_cell or unknown_cell.
+    /// What the values at hanging nodes are, by node (T60).
+    const dealii::AffineConstraints<double> &
+    hanging_nodes() const
+    {
+      return hanging;
+    }
+
+    /// Whether a cell has vertices that are hanging nodes.
+    bool
+    has_hanging_vertex(const unsigned int cell) const
+    {
+      return hanging.n_constraints() > 0 && at_hanging[cell];
+    }
+
+    /// The free nodes that the linear space on a cell depends on.
+    std::vector<unsigned int>
+    free_nodes(const unsigned int cell) const;
+
+    /// Sets values at hanging nodes from those at free ones.
+    /// @param values @p n_values numbers per node.
+    void
+    interpolate_to_hanging_nodes(std::vector<double> &values,
+                                 const unsigned int   n_values) const;
+
+    /// The cells behind the faces of a cell, no_cell or unknown_cell; where
+    /// there are several, one of them.
     dealii::ArrayView<const unsigned int>
     neighbors(const unsigned int cell) const
     {
@@ -264,7 +324,8 @@ namespace mpm_granular::Mesh
       return node_positions[node];
     }
 
-    /// A node's part of the volumes of the cells around it [m^3], in 2D [m^2].
+    /// A free node's part of the volumes of the cells around it (T60) [m^3], in
+    /// 2D [m^2].
     double
     node_volume(const unsigned int node) const
     {
@@ -317,7 +378,8 @@ namespace mpm_granular::Mesh
     extent(const dealii::Tensor<1, dim> &direction) const;
 
     /// The d-th root of the mean box's volume, where d! simplices make a box:
-    /// the edge of the mean cell's box [m].
+    /// the edge of the mean cell's box [m]; of the finest cells, if some are
+    /// refined.
     double
     mean_cell_size() const
     {
@@ -356,8 +418,14 @@ namespace mpm_granular::Mesh
     template <class Cell>
     void
     fill_faces(std::vector<Cell> &cells);
+    unsigned int
+    neighbor_of(const CellIterator &cell, const unsigned int face) const;
     void
-    complete_at_ghosts();
+    complete_nodes();
+    void
+    find_node_volumes();
+    std::vector<unsigned int>
+    cells_now(const std::vector<dealii::CellId> &before) const;
     void
     measure();
 
@@ -369,6 +437,7 @@ namespace mpm_granular::Mesh
     CellKind                                    kind;
     std::unique_ptr<dealii::Triangulation<dim>> tria;
     Distributed *p4est = nullptr; ///< the same, if distributed
+    std::unique_ptr<Refinement<dim>>            refinement;
     std::unique_ptr<dealii::FiniteElement<dim>> fe;
     std::unique_ptr<dealii::Mapping<dim>>       map;
     dealii::DoFHandler<dim>                     dofs;
@@ -386,6 +455,8 @@ namespace mpm_granular::Mesh
     std::vector<dealii::Point<dim>>              node_positions;
     std::vector<double>                          node_volumes;
     std::vector<BoundaryFace<dim>>               faces;
+    dealii::AffineConstraints<double>            hanging;    ///< by node
+    std::vector<bool>                            at_hanging; ///< by cell
     dealii::BoundingBox<dim>                     box;
     double                                       mean_size = 0.;
   };

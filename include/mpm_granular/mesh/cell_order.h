@@ -8,8 +8,8 @@
 
 namespace mpm_granular::Mesh
 {
-  /// The active cells in the order in which a Hilbert curve passes their
-  /// centres.
+  /// The active cells in the order in which a Hilbert curve passes the centres
+  /// of those of level 0, child after child where these are refined.
   template <int dim>
   std::vector<typename dealii::Triangulation<dim>::active_cell_iterator>
   hilbert_order(const dealii::Triangulation<dim> &triangulation);

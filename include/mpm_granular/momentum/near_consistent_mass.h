@@ -49,6 +49,7 @@ namespace mpm_granular::Momentum
     double                                 alpha     = 0.5;
     double                                 tolerance = 1e-12;
     dealii::TrilinosWrappers::SparseMatrix matrix;
+    const Mesh::BackgroundMesh<dim>       *mesh = nullptr;
     std::vector<double>                    diagonal; ///< by slot, of all ranks
     Grid::NodalFields<dim>                *fields = nullptr;
   };

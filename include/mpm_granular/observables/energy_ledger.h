@@ -13,7 +13,7 @@ namespace mpm_granular::Observables
   {
     double dissipated    = 0; ///< taken by the laws
     double boundary_work = 0; ///< done on the body by constraints and tractions
-    double transfer_loss = 0; ///< lost between points and grid
+    double transfer_loss = 0; ///< lost between points and grid, and in merging
     double filter_loss   = 0; ///< taken by the pressure filter
     double damping       = 0; ///< taken by damping
 

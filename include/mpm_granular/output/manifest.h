@@ -37,8 +37,8 @@ namespace mpm_granular::Output
     Manifest(const std::string &command, const unsigned int n_ranks);
 
     unsigned int  dimension     = 0;
-    std::uint64_t n_cells       = 0;
-    std::uint64_t n_nodes       = 0;
+    std::uint64_t n_cells       = 0; ///< now
+    std::uint64_t n_nodes       = 0; ///< now
     std::uint64_t n_points      = 0; ///< at the start
     std::uint64_t n_lost_points = 0;
     std::uint64_t n_steps       = 0;
@@ -50,6 +50,8 @@ namespace mpm_granular::Output
     double bytes_sent_per_step = 0.; ///< sums over nodes, of the busiest rank
     double largest_imbalance = 0.; ///< most points of a rank over mean, less 1
     unsigned int n_redistributions = 0;  ///< of cells among the ranks
+    unsigned int n_adaptations     = 0;  ///< of the mesh
+    double       adaptation_time   = 0.; ///< wall time of these [s]
     double       loop_time         = 0.; ///< wall time without output [s]
     double       throughput        = 0.; ///< million point-steps/s
     double       bytes_per_point   = 0.;

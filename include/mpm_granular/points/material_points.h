@@ -42,6 +42,10 @@ namespace mpm_granular::Points
            const unsigned int            material,
            const double                  density);
 
+    /// Forgets all points.
+    void
+    clear();
+
     /// Moves all points from the handler to the working set.
     void
     load();
@@ -101,10 +105,29 @@ namespace mpm_granular::Points
     std::size_t
     send_home();
 
+    /// Moves points that round-off has brought beyond the boundary onto it: with
+    /// smaller cells they would count as lost.
+    void
+    pull_inside();
+
+    /// Finds the cells of all points in a mesh that has changed. They are all
+    /// in cells of this rank, before and after.
+    /// @param cells for each cell before, one in its place.
+    void
+    follow(const std::vector<unsigned int> &cells);
+
     /// The number of points in each cell, over all ranks; of a distributed mesh
     /// only those of this rank. Collective.
     std::vector<std::uint32_t>
     count_by_cell() const;
+
+    /// Divides points where a cell has some but fewer than a number
+    /// (Points::split), gives the new ones ids, and orders. All points must be
+    /// in own cells. Collective.
+    /// @return how many points this rank has more.
+    /// @throws ComputationError if there are no more ids.
+    std::size_t
+    split(const unsigned int least_per_cell);
 
     /// Removes the points whose cell is no_cell.
     /// @return how many there were.

@@ -1,6 +1,7 @@
 #ifndef mpm_granular_solver_mpm_solver_h
 #define mpm_granular_solver_mpm_solver_h
 
+#include <mpm_granular/adaptivity/adaptation.h>
 #include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/observables/snapshot.h>
 #include <mpm_granular/points/material_points.h>
@@ -217,6 +218,19 @@ namespace mpm_granular::Solver
       return load;
     }
 
+    /// How the mesh was adapted so far.
+    struct MeshChanges
+    {
+      unsigned int n_adaptations = 0;  ///< in which it became another mesh
+      double       seconds       = 0.; ///< wall time of looking and changing
+    };
+
+    const MeshChanges &
+    mesh_changes() const
+    {
+      return changes;
+    }
+
     /// Remarks on the input that do not stop a run.
     const std::vector<std::string> &
     warnings() const
@@ -234,9 +248,24 @@ namespace mpm_granular::Solver
     void
     create_points(const std::string &input_file);
     void
+    create_points_on_adapted_mesh(const std::string &input_file);
+    std::vector<std::uint8_t>
+    wanted_levels();
+    void
+    adapt_mesh();
+    bool
+    adapt_mesh_once();
+    void
+    split_and_merge();
+    void
+    serialize_mesh(Core::Archive &archive);
+    void
     set_initial_state();
     void
     prepare_settling();
+    /// By material, the volume per mass that may be filled [m^3/kg].
+    std::vector<double>
+    largest_specific_volumes() const;
     void
     find_cell_limits();
     void
@@ -293,6 +322,7 @@ namespace mpm_granular::Solver
     const RunParameters<dim>                            &parameters;
     Mesh::BackgroundMesh<dim>                            mesh;
     Mesh::Partition<dim>                                 partition;
+    Adaptivity::Adaptation<dim>                          adaptation;
     std::vector<const Materials::ConstitutiveLaw<dim> *> laws;
     Points::MaterialPoints<dim>                          points;
     Grid::NodalFields<dim>                               fields;
@@ -327,6 +357,9 @@ namespace mpm_granular::Solver
     bool         is_out_of_reach = false; ///< a point of this rank
     unsigned int last_balance    = 0;     ///< step
     LoadBalance  load;
+    unsigned int last_adaptation = 0;  ///< step
+    double       displacement    = 0.; ///< since then, at most [m]
+    MeshChanges  changes;
   };
 } // namespace mpm_granular::Solver
 

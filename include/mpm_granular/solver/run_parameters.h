@@ -1,6 +1,7 @@
 #ifndef mpm_granular_solver_run_parameters_h
 #define mpm_granular_solver_run_parameters_h
 
+#include <mpm_granular/adaptivity/adaptation_parameters.h>
 #include <mpm_granular/boundary/boundary_manager.h>
 #include <mpm_granular/checkpoint/checkpoint_parameters.h>
 #include <mpm_granular/materials/material.h>
@@ -34,6 +35,7 @@ namespace mpm_granular::Solver
     bool   remove_lost_points = false;
 
     Parameters::Choice<Mesh::MeshSource<dim>>         mesh;
+    Adaptivity::AdaptationParameters<dim>             adaptation;
     Parameters::NamedGroups<Materials::Material<dim>> materials;
     Parameters::NamedGroups<Points::Region<dim>>      regions;
     Points::InitialState<dim>                         initial_state;

@@ -59,9 +59,10 @@ namespace mpm_granular::Transfer
 
     /// theta, the part of a node's surroundings that is filled, by slot.
     double
-    fraction(const unsigned int slot) const
+    fraction(const Grid::NodalFields<dim> &fields,
+             const unsigned int            slot) const
     {
-      return fractions[slot];
+      return fields.hanging.value_at(fractions, slot);
     }
 
     /// From this fraction on, the surroundings of a node count as full: points

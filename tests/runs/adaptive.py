@@ -1,0 +1,239 @@
+"""Adaptive meshes of simplices and hypercubes: a block flies through them
+unchanged while they are refined and coarsened hundreds of times, a column rests
+on several levels, the collapse is that on the fine mesh, and all of it is the
+same on any number of processes."""
+
+import json
+import os
+import resource
+
+from _case import (ELASTIC, KINDS, Checks, Folder, Result, body, boundaries, box,
+                   points_per_cell, rollers)
+
+checks = Checks()
+IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
+DIMENSIONS = (2,) if IS_DEBUG else (2, 3)
+SIDES = ["x_min", "x_max", "y_min", "y_max", "z_min", "z_max"]
+
+
+def run(text, *settings, ranks=1):
+    """Runs a text of parameters; the result has the manifest and the largest
+    memory of any run so far [kB]."""
+    with Folder() as folder:
+        (folder.path / "case.prm").write_text(text, encoding="utf8")
+        options = [word for setting in settings for word in ("--set", setting)]
+        process = folder.run(
+            "case.prm", "--output", "out", *options,
+            before=[os.environ["MPM_MPIEXEC"], "-np", str(ranks)]
+            if ranks > 1 else [])
+        result = Result(process, folder.path / "out")
+        manifest = folder.path / "out" / "manifest.json"
+        result.manifest = (json.loads(manifest.read_text())
+                           if manifest.exists() else {})
+        result.memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        return result
+
+
+def levels(expression, maximum, interval=1):
+    """The section Adaptive mesh with levels by place and time."""
+    return f"""
+subsection Adaptive mesh
+  set Names                 = somewhere
+  set Maximum level         = {maximum}
+  set Interval              = {interval}
+  set Interval displacement = 0
+  set Buffer layers         = 0
+  set Kept layers           = 0
+  subsection somewhere
+    set Type  = region
+    set Level = {expression}
+  end
+end
+"""
+
+
+def flying_block(dim, kind, n_steps):
+    """A block flies with a constant velocity through a mesh that is refined
+    around a place that moves faster."""
+    return f"""
+set Dimension = {dim}
+set End time  = {n_steps * 1e-3}
+{box(dim, [0., 0., 0.], (1.2, .6, .6), (12, 6, 6), kind)}
+{body(dim, [.1, .1, .1], (.4, .4, .4), points_per_cell(dim, kind),
+      material=ELASTIC.format(density=1000, young=1e3, poisson=.3))}
+{boundaries(all=("free", SIDES[:2 * dim]))}
+subsection Initial state
+  set Velocity = {"; ".join(["0.8", "0.1", "0.1"][:dim])}
+end
+subsection Body force
+  set Gravity = {", ".join(["0"] * dim)}
+end
+subsection Time step
+  set Type       = fixed
+  set Fixed step = 1e-3
+end
+""" + levels("2.4 - 8*sqrt((x - 0.6 - 0.5*sin(300*t))^2 + (y - 0.3)^2)", 2)
+
+
+def check_same(name, one, other, columns, tolerance):
+    for column in columns:
+        a, b = one.last(column), other.last(column)
+        checks.that(abs(a - b) <= tolerance * abs(a), f"{name}: {column}",
+                    f"{a} and {b}")
+
+
+for dim in DIMENSIONS:
+    for kind in KINDS:
+        n_steps = 540 if dim == 2 and not IS_DEBUG else 60
+        results = [run(flying_block(dim, kind, n_steps), ranks=ranks)
+                   for ranks in (1, 2, 3)]
+        for ranks, result in enumerate(results, 1):
+            name = f"flying block, {dim}D, {kind}, {ranks} processes"
+            checks.that(result.exit_code == 0, name, result.text[-2000:])
+            if result.exit_code != 0:
+                continue
+            n_changes = result.manifest["performance"]["adaptations"]
+            checks.that(n_changes >= (500 if n_steps == 540 else 50),
+                        f"{name}: adaptations", str(n_changes))
+            for column in ("points", "mass", "kinetic_energy"):
+                values = result[column]
+                checks.that(max(values) - min(values) <= 1e-12 * values[0],
+                            f"{name}: {column}", f"{values[0]} {values[-1]}")
+            checks.that(max(result["elastic_energy"]) <
+                        1e-20 * result["kinetic_energy"][0],
+                        f"{name}: no stress", str(result.last("elastic_energy")))
+            for column, speed in zip(("center_x", "center_y"), (.8, .1)):
+                way = result.last(column) - result[column][0]
+                checks.that(abs(way - speed * result.last("time")) < 1e-12,
+                            f"{name}: {column}", str(way))
+            checks.that(result.manifest["counts"]["cells"] ==
+                        results[0].manifest["counts"]["cells"],
+                        f"{name}: the same mesh", str(result.manifest["counts"]))
+    if not IS_DEBUG and dim == 2:
+        # The program's memory does not grow from 60 changes to 540.
+        short, long = (run(flying_block(2, "simplices", n)).memory
+                       for n in (60, 540))
+        checks.that(long < 1.1 * short, "memory", f"{short} kB, {long} kB")
+
+
+def column(dim, kind, across=""):
+    """A geostatic column with symmetric points on three levels, which also
+    change `across` it."""
+    up = (1., 2.) if dim == 2 else (1., 1., 2.)
+    height = "xyz"[dim - 1]
+    return f"""
+set Dimension = {dim}
+set End time  = 0.05
+{box(dim, [0., 0., 0.], up, (4, 8) if dim == 2 else (2, 2, 4), kind)}
+{body(dim, [0., 0., 0.], up, points_per_cell(dim, kind))}
+{rollers(dim)}
+subsection Initial state
+  set Stress        = geostatic
+  set Surface level = 2
+  set K0            = 0.4285714285714286
+end
+""" + levels(f"if({height} < 0.4, 2, if({across or height} < 0.4, 1, 0))",
+           2, 1000)
+
+
+for dim in DIMENSIONS:
+    # In a square, pressure from the side times the gradient of shape functions
+    # is quadratic in height, and four points do not integrate that exactly: the
+    # errors of neighbours cancel if these are of one size.
+    skew = run(column(dim, "hypercubes", "x"))
+    checks.that(skew.exit_code == 0 and max(skew["kinetic_energy"]) <
+                1e-7 * skew["potential_energy"][0], "rest beside larger cells",
+                skew.text[-2000:] + str(skew.last("kinetic_energy")))
+    for kind in KINDS:
+        across = "x" if kind == "simplices" else ""
+        for settings in ([], ["Scheme/Mass matrix=near-consistent"],
+                         ["Scheme/Stress order=USF"]):
+            result = run(column(dim, kind, across), *settings)
+            name = f"rest, {dim}D, {kind}, {settings}"
+            # A wrong force of one part in 1e8 of gravity would be seen.
+            limit = 1e-24 if not settings else 1e-18
+            checks.that(result.exit_code == 0 and
+                        max(result["kinetic_energy"]) <
+                        limit * result["potential_energy"][0], name,
+                        result.text[-2000:] + str(result.columns.get(
+                            "kinetic_energy", [])[-1:]))
+
+
+def collapse(kind, criterion):
+    """A small wall that collapses."""
+    return f"""
+set Dimension = 2
+set End time  = 1
+{box(2, [0., 0.], (2.4, 1.2), (24, 12), kind)}
+{body(2, [0., 0.], (.5, 1.), 4)}
+{boundaries(base=("clamp", ["y_min"]), walls=("roller", ["x_min", "x_max"]),
+            open=("free", ["y_max"]))}
+subsection Initial state
+  set Stress        = geostatic
+  set Surface level = 1
+  set K0            = 0.4285714285714286
+end
+subsection Scheme
+  set Pressure filter rate = 100
+end
+subsection Adaptive mesh
+  set Names         = sand
+  set Maximum level = 1
+  {criterion}
+end
+"""
+
+
+POINTS = """
+  set Buffer layers         = 2
+  set Interval displacement = 1.5
+  subsection sand
+    set Type                     = points
+    set Largest number of points = 3
+  end
+"""
+EVERYWHERE = """
+  set Minimum level = 1
+  subsection sand
+    set Type  = region
+    set Level = 1
+  end
+"""
+for kind in KINDS:
+    # On any number of processes, with every way of summing.
+    for settings in ([], ["Scheme/Averaging=nodes"],
+                     ["Scheme/Mass matrix=near-consistent"],
+                     ["Scheme/Stress order=USF"]):
+        if kind == "hypercubes" and "Scheme/Averaging=nodes" in settings:
+            continue
+        # The criterion that leaves points in cells of two levels.
+        mixed = POINTS.replace("= points", "= free surface").replace(
+            "set Largest number of points = 3", "")
+        one, three = (run(collapse(kind, mixed), *settings, "End time=0.1",
+                          ranks=ranks) for ranks in (1, 3))
+        name = f"collapse, {kind}, {settings}"
+        checks.that(one.exit_code == three.exit_code == 0, name,
+                    one.text[-2000:] + three.text[-2000:])
+        if one.exit_code == three.exit_code == 0:
+            check_same(name, one, three, ["points", "mass"], 0.)
+            check_same(name, one, three,
+                       ["front", "height", "kinetic_energy",
+                        "potential_energy"], 1e-9)
+    if IS_DEBUG:
+        continue
+    # The fine mesh only where the sand is makes no difference.
+    fine, adaptive = (run(collapse(kind, criterion))
+                      for criterion in (EVERYWHERE, POINTS))
+    name = f"collapse, {kind}"
+    text = (f"front {adaptive.last('front')}, {fine.last('front')}; height "
+            f"{adaptive.last('height')}, {fine.last('height')}; cells "
+            f"{adaptive.manifest['counts']['cells']}, "
+            f"{fine.manifest['counts']['cells']}")
+    print(text)
+    check_same(name, fine, adaptive, ["front", "height"], .02)
+    checks.that(abs(adaptive.last("closure") - fine.last("closure")) < 1e-4,
+                f"{name}: closure", f"{adaptive.last('closure')}, "
+                f"{fine.last('closure')}")
+    checks.that(adaptive.manifest["counts"]["cells"] <
+                .5 * fine.manifest["counts"]["cells"], f"{name}: cells", text)
+checks.exit()
