@@ -102,6 +102,8 @@ namespace mpm_granular::Boundary
         for (const auto id : ids)
           without_condition.erase(id);
 
+        // On all ranks, whether they have such faces or not.
+        has_loads = has_loads || condition.has_traction();
         active.has_contact =
           active.has_contact || condition.contact_friction().has_value();
         std::map<unsigned int, std::vector<Tensor<1, dim>>> normals;
@@ -111,12 +113,8 @@ namespace mpm_granular::Boundary
               for (const unsigned int node : face.node)
                 if (node != Mesh::unknown_node)
                   add_normal(normals[node], face);
-              if (condition.has_traction())
-                {
-                  has_loads = true;
-                  if (face.cell != Mesh::unknown_cell)
-                    loaded_faces.push_back({&condition, face});
-                }
+              if (condition.has_traction() && face.cell != Mesh::unknown_cell)
+                loaded_faces.push_back({&condition, face});
             }
 
         for (const auto &[node, node_normals] : normals)

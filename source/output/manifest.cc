@@ -124,9 +124,11 @@ namespace mpm_granular::Output
       .add("point_files", n_files);
 
     JsonObject performance;
-    performance.add("loop_seconds", loop_time)
+    performance.add("set_up_seconds", set_up_time)
+      .add("loop_seconds", loop_time)
       .add("million_point_steps_per_second", throughput)
       .add("bytes_per_point", bytes_per_point)
+      .add("peak_memory_bytes", peak_memory)
       .add("messages_per_step", messages_per_step)
       .add("bytes_sent_per_step", bytes_sent_per_step)
       .add("redistributions", n_redistributions)

@@ -1,4 +1,5 @@
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <mpm_granular/core/exact_text.h>
 #include <mpm_granular/core/signals.h>
@@ -23,6 +24,16 @@ namespace mpm_granular::Solver
     {
       parameters.directory = folder.path();
       return parameters;
+    }
+
+    /// The most memory that the processes had so far [bytes].
+    double
+    peak_memory(const MPI_Comm communicator)
+    {
+      Utilities::System::MemoryStats memory;
+      Utilities::System::get_memory_stats(memory);
+      constexpr double unit = 1024.;
+      return unit * Utilities::MPI::sum(double(memory.VmHWM), communicator);
     }
   } // namespace
 
@@ -51,7 +62,9 @@ namespace mpm_granular::Solver
     , in_observables(timings.section("observables"))
     , in_fields(timings.section("output of fields"))
     , in_checkpoints(timings.section("checkpoints"))
-  {}
+  {
+    manifest.set_up_time = since_start.wall_time();
+  }
 
   template <int dim>
   Output::Preflight
@@ -409,6 +422,7 @@ namespace mpm_granular::Solver
     manifest.loop_time          = before.loop_time + summary.loop_time;
     manifest.throughput         = Output::throughput(summary);
     manifest.bytes_per_point    = summary.bytes_per_point;
+    manifest.peak_memory        = peak_memory(info.communicator);
     const auto &load            = solver.load_balance();
     manifest.n_redistributions  = load.n_redistributions;
     manifest.largest_imbalance  = load.largest_imbalance;

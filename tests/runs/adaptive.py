@@ -159,6 +159,46 @@ for dim in DIMENSIONS:
                             "kinetic_energy", [])[-1:]))
 
 
+def pushed_block(kind):
+    """A block that fills its mesh and is pushed from the top."""
+    return f"""
+set Dimension = 2
+set End time  = 0.05
+{box(2, [0., 0.], (1., 2.), (5, 10), kind)}
+{body(2, [0., 0.], (1., 2.), 16,
+      material=ELASTIC.format(density=1000, young=1e6, poisson=.3))}
+{boundaries(free=("free", ["x_min", "x_max", "y_min"]),
+            top=("traction", ["y_max"]))}
+subsection Boundary conditions
+  subsection top
+    set Traction = 0; -1000
+  end
+end
+subsection Body force
+  set Gravity = 0, 0
+end
+subsection Time step
+  set Type       = fixed
+  set Fixed step = 5e-4
+end
+""" + levels("1.5 - 6*abs(x - 0.4 - 0.3*sin(60*t)) - 3*(2 - y)", 1, 7)
+
+
+for kind in KINDS:
+    for ranks in (1, 3):
+        result = run(pushed_block(kind), ranks=ranks)
+        name = f"pushed block, {kind}, {ranks} processes"
+        checks.that(result.exit_code == 0, name, result.text[-2000:])
+        if result.exit_code != 0:
+            continue
+        # Half a metre per second^2, by symplectic Euler.
+        way = 1. - result.last("center_y")
+        checks.that(abs(way - .25 * .05 * (.05 + 5e-4)) < 1e-12,
+                    f"{name}: way", str(way))
+        checks.that(result.manifest["performance"]["adaptations"] > 4,
+                    f"{name}: adaptations", str(result.manifest))
+
+
 def collapse(kind, criterion):
     """A small wall that collapses."""
     return f"""

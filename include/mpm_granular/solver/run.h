@@ -1,6 +1,8 @@
 #ifndef mpm_granular_solver_run_h
 #define mpm_granular_solver_run_h
 
+#include <deal.II/base/timer.h>
+
 #include <mpm_granular/checkpoint/checkpoint_folder.h>
 #include <mpm_granular/checkpoint/checkpoint_trigger.h>
 #include <mpm_granular/output/console.h>
@@ -90,6 +92,7 @@ namespace mpm_granular::Solver
     RunParameters<dim>       &parameters;
     const Parameters::RunInfo info;
     const bool                is_first_rank;
+    const dealii::Timer       since_start;
     MPMSolver<dim>            solver;
     Output::RunFolder         folder;
     Output::Console           console;
