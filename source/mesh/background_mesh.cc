@@ -592,7 +592,8 @@ namespace mpm_granular::Mesh
   {
     const std::size_t of_cells = visit(
       [](const auto &cells) { return cells.capacity() * sizeof(cells[0]); });
-    return tria->memory_consumption() + dofs.memory_consumption() + of_cells +
+    return tria->memory_consumption() + refinement->memory_consumption() +
+           dofs.memory_consumption() + of_cells +
            n_cells() *
              (sizeof(double) + sizeof(CellIterator) + sizeof(unsigned int)) +
            n_nodes() * (sizeof(Point<dim>) + sizeof(double) +

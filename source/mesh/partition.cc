@@ -238,7 +238,11 @@ namespace mpm_granular::Mesh
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       for (const unsigned int neighbor : mesh.neighbors(cell))
         if (neighbor != no_cell)
-          connections.add(cell, neighbor);
+          {
+            // A cell does not name all of its smaller neighbors, but they do.
+            connections.add(cell, neighbor);
+            connections.add(neighbor, cell);
+          }
     SparsityPattern graph;
     graph.copy_from(connections);
     SparsityTools::partition(

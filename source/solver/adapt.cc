@@ -41,7 +41,6 @@ namespace mpm_granular::Solver
         reinit_on_mesh();
         create_points(input_file);
       }
-    changes.n_adaptations = 0;
   }
 
   template <int dim>

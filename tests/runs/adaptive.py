@@ -243,7 +243,7 @@ for kind in KINDS:
     # On any number of processes, with every way of summing.
     for settings in ([], ["Scheme/Averaging=nodes"],
                      ["Scheme/Mass matrix=near-consistent"],
-                     ["Scheme/Stress order=USF"]):
+                     ["Scheme/Stress order=USF", "Parallel/Partition=METIS"]):
         if kind == "hypercubes" and "Scheme/Averaging=nodes" in settings:
             continue
         # The criterion that leaves points in cells of two levels.
