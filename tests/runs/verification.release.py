@@ -1,4 +1,5 @@
-"""The quick forms of verification and validation: all their checks hold."""
+"""The quick forms of verification, validation and of what is measured of adaptive
+meshes: all their checks hold."""
 
 import os
 import pathlib
@@ -8,7 +9,7 @@ import tempfile
 
 SOURCE = pathlib.Path(os.environ["MPM_SOURCE_DIR"])
 failed = 0
-for command in ("verify", "validate"):
+for command in ("verify", "validate", "adapt"):
     with tempfile.TemporaryDirectory(prefix="mpm_test_") as folder:
         process = subprocess.run(
             [sys.executable, SOURCE / "benchmarks" / command, "--quick",
