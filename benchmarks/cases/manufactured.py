@@ -14,22 +14,28 @@ TITLE = "d: manufactured solution"
 SIGNS = numpy.array([1., -1., 1.])  # of the displacement along x, y, z
 
 
-# Entries of the choices of averaging that are compared.
-AVERAGING = {"none": {}, "cells": {"Scheme/Averaging": "cells"},
-             "nodes": {"Scheme/Averaging": "nodes",
-                       "Scheme/Averaged part": "1"}}
+# The schemes that are compared, by what is said of them, and their entries.
+FLIP = ""
+CELLS, NODES = "means of cells", "means of nodes"
+SCHEMES = {FLIP: {}, CELLS: {"Scheme/Averaging": "cells"},
+           NODES: {"Scheme/Averaging": "nodes", "Scheme/Averaged part": "1"},
+           f"APIC, {NODES}": {"Scheme/Averaging": "nodes",
+                              "Scheme/Averaged part": "1",
+                              "Scheme/Velocity update": "APIC"},
+           "XPIC(2)": {"Scheme/Velocity update": "XPIC"},
+           "FMPM(2)": {"Scheme/Velocity update": "FMPM"}}
 
 
-def manufactured(suite, dim, n_cells, amplitude, points, averaging="none"):
+def manufactured(suite, dim, n_cells, amplitude, points, scheme=FLIP):
     """The run with the amplitude in place of the input's 0.0001."""
     entries = read_parameters(suite.input_file(f"manufactured_{dim}d"))
     return suite.run(
         f"manufactured_{dim}d",
         f"{n_cells}_cells_amplitude_{amplitude:g}_{points}_points" + (
-            f"_averaged_{averaging}" if averaging != "none" else ""),
+            f"_{scheme.replace(' ', '_')}" if scheme else ""),
         {entry: entries[entry].replace("0.0001", repr(amplitude))
          for entry in ("Initial state/Velocity", "Body force/Force")} |
-        AVERAGING[averaging] |
+        SCHEMES[scheme] |
         {"Mesh/Subdivisions": boxes(*[n_cells] * dim),
          "Points/body/Points per cell": points})
 
@@ -56,14 +62,14 @@ def error(run, amplitude):
     return math.sqrt(numpy.mean(squares)) / amplitude
 
 
-def add_line(suite, dim, cells, amplitude, points, averaging, rows, lines):
+def add_line(suite, dim, cells, amplitude, points, scheme, rows, lines):
     """Errors over the number of cells: a row, a line and their checks."""
-    errors = [error(manufactured(suite, dim, n, amplitude, points, averaging),
+    errors = [error(manufactured(suite, dim, n, amplitude, points, scheme),
                     amplitude) for n in cells]
     sizes = [1 / n for n in cells]
     orders = observed_orders(sizes, errors)
     name = f"{dim}D, {points} point{'s' * (points > 1)}, A = {amplitude:g}" + (
-        f", means of {averaging}" if averaging != "none" else "")
+        f", {scheme}" if scheme else "")
     rows.append([name, *[f"{e:.2e} (n = {n})" for n, e in zip(cells, errors)],
                  *[""] * (4 - len(cells)),
                  ", ".join(f"{order:.2f}" for order in orders)])
@@ -72,7 +78,7 @@ def add_line(suite, dim, cells, amplitude, points, averaging, rows, lines):
         for n, order in zip(cells[1:], orders):
             if n <= 32:  # beyond, single precision is felt
                 suite.check(f"{name}: order at n = {n}", order, 1.8, 2.3)
-    if averaging == "nodes" or (averaging == "cells" and dim == 2):
+    if NODES in scheme or (scheme == CELLS and dim == 2):
         suite.check(f"{name}: mean order",
                     math.log(errors[0] / errors[-1]) /
                     math.log(sizes[0] / sizes[-1]), 1.5)
@@ -108,7 +114,10 @@ the strain. With A = 0.01 and more, points cross cells, and the error stops fall
 grows with refinement: this is the method on linear simplices (Steffen, Kirby & Berzins
 2008), not a tolerance. Means over cells, and around nodes with `Averaged part = 1`
 (T40 to T43), bring the second order back in the plane; in space those around nodes do
-best. The price is a larger error on coarse meshes and where no point crosses.
+best. The price is a larger error on coarse meshes and where no point crosses. XPIC and
+FMPM (T66, T67) filter velocities but leave the forces as they are, and with them the
+order. APIC (T68) with means around nodes halves the errors of these means, and has the
+smallest ones in space from n = 8 on.
 """)
     rows, lines = [], {}
     for dim, points in ((2, 4), (2, 1), (3, 4), (3, 1)):
@@ -120,9 +129,10 @@ best. The price is a larger error on coarse meshes and where no point crosses.
                 continue
             if points == 1 and suite.quick:
                 continue
-            for averaging in AVERAGING if amplitude == .05 else ("none",):
-                add_line(suite, dim, cells, amplitude, points, averaging, rows,
-                         lines)
+            for scheme in SCHEMES if amplitude == .05 else (FLIP,):
+                if points == 4 or scheme in (FLIP, CELLS, NODES):
+                    add_line(suite, dim, cells, amplitude, points, scheme, rows,
+                             lines)
     suite.table(["", "error", "", "", "", "orders"], rows)
 
     def draw(left, right):

@@ -121,16 +121,6 @@ namespace mpm_granular::Momentum
       }
     else
       mass.solve(scratch, &step.constraints, new_velocity);
-
-    const double c = step.pic_factor;
-    change.resize(n);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        change[i] = new_velocity[i] - (1. - c) * old_velocity[i];
-        fields.motion[i].velocity = new_velocity[i];
-        fields.motion[i].change   = change[i];
-      }
-    fields.extend_motion();
   }
 
   template <int dim>
@@ -159,20 +149,22 @@ namespace mpm_granular::Momentum
   }
 
   template <int dim>
+  NodalVectors<dim> &
+  MomentumBalance<dim>::kept_momentum(const StepInput<dim> &step)
+  {
+    for (unsigned int i = 0; i < scratch.size(); ++i)
+      scratch[i] = (1. - step.pic_factor) * old_momentum[i];
+    return scratch;
+  }
+
+  template <int dim>
   void
   MomentumBalance<dim>::remap_velocity(Grid::NodalFields<dim> &fields,
                                        const StepInput<dim>   &step)
   {
-    // The points' new momentum, seen from the nodes of the old positions, is
-    // the action of the sampled consistent mass matrix: no pass over the
-    // points.
-    const unsigned int n = fields.n_active_nodes();
-    for (unsigned int i = 0; i < n; ++i)
-      scratch[i] = (1. - step.pic_factor) * old_momentum[i];
-    fields.add_mass_times(change, scratch);
-    mass.solve(scratch, &holding(step), change);
-    for (unsigned int i = 0; i < n; ++i)
-      fields.motion[i].straining = change[i];
+    mass.solve(scratch, &holding(step), remapped_velocity);
+    for (unsigned int i = 0; i < remapped_velocity.size(); ++i)
+      fields.motion[i].straining = remapped_velocity[i];
     fields.extend_motion();
   }
 

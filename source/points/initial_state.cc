@@ -43,6 +43,25 @@ namespace mpm_granular::Points
       points.stress[s][p] = initial[s];
   }
 
+  template <int dim>
+  Tensor<2, dim>
+  InitialState<dim>::velocity_gradient(const Point<dim> &place,
+                                       const double      length) const
+  {
+    Tensor<2, dim> gradient;
+    for (unsigned int j = 0; j < dim; ++j)
+      {
+        Point<dim> behind = place, ahead = place;
+        behind[j] -= .5 * length;
+        ahead[j] += .5 * length;
+        for (unsigned int i = 0; i < dim; ++i)
+          gradient[i][j] = (velocity_expression->value(ahead, 0., i) -
+                            velocity_expression->value(behind, 0., i)) /
+                           (ahead[j] - behind[j]);
+      }
+    return gradient;
+  }
+
   template struct InitialState<2>;
   template struct InitialState<3>;
 } // namespace mpm_granular::Points

@@ -28,7 +28,7 @@ namespace mpm_granular::Solver
     boundary.add_tractions(fields, current_time);                // (T10)
     parameters.body_force.add_loads(fields, mesh, current_time); // (T10)
     const Momentum::StepInput<dim> step{dt,
-                                        parameters.transfer.pic_factor(dt),
+                                        velocity_update.pic_factor(dt),
                                         parameters.body_force.gravity_at(
                                           current_time),
                                         boundary.constraints(),
@@ -75,6 +75,45 @@ namespace mpm_granular::Solver
 
   template <int dim>
   void
+  MPMSolver<dim>::find_velocities(const Momentum::StepInput<dim> &step)
+  {
+    momentum.advance(fields, step); // (T12)
+    velocity_update.find_motion({momentum.velocity_before(),
+                                 momentum.velocity_after(),
+                                 momentum.holding(step)},
+                                step.time_step,
+                                fields); // (T14)
+    fields.extend_motion();
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::remap_velocity(const Momentum::StepInput<dim> &step)
+  {
+    velocity_update.add_momentum(fields, momentum.kept_momentum(step)); // (T16)
+    momentum.remap_velocity(fields, step);
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::shift_positions(const Momentum::StepInput<dim> &step)
+  {
+    if (!parameters.position_shift.is_active())
+      return;
+    const Tensor<1, dim> moved =
+      parameters.position_shift.add(mesh,
+                                    partition,
+                                    *averaging.filling_of_nodes(),
+                                    momentum.holding(step),
+                                    step.time_step,
+                                    fields); // (T69)
+    fields.extend_motion();
+    // What this takes from the potential energy is work of no force.
+    ledger.transfer_loss += step.time_step * (step.gravity * moved);
+  }
+
+  template <int dim>
+  void
   MPMSolver<dim>::move_and_strain(const Momentum::StepInput<dim> &step)
   {
     using Transfer::StressOrder;
@@ -89,10 +128,11 @@ namespace mpm_granular::Solver
         averaging.find_gradients(fields);                // (T42)
         on_this_rank(
           [&] { dissipated = sweep.strain(arrays, fields, step.time_step); });
-        fields.gather_forces();         // (T9)
-        averaging.find_forces(fields);  // (T41, T43)
-        momentum.advance(fields, step); // (T12)
+        fields.gather_forces();        // (T9)
+        averaging.find_forces(fields); // (T41, T43)
+        find_velocities(step);         // (T12, T14)
         count_lost_power(step.time_step);
+        shift_positions(step);
         on_this_rank([&] {
           result = sweep.move(arrays, fields, step.time_step, step.pic_factor);
         });
@@ -100,14 +140,15 @@ namespace mpm_granular::Solver
       }
     else
       {
-        averaging.find_forces(fields);  // (T41, T43)
-        momentum.advance(fields, step); // (T12)
+        averaging.find_forces(fields); // (T41, T43)
+        find_velocities(step);         // (T12, T14)
         if (order == StressOrder::update_stress_last)
           momentum.strain_with_velocity(fields); // (T15)
         else
-          momentum.remap_velocity(fields, step); // (T16)
-        averaging.find_gradients(fields);        // (T42)
+          remap_velocity(step);           // (T16)
+        averaging.find_gradients(fields); // (T42)
         count_lost_power(step.time_step);
+        shift_positions(step);
         on_this_rank([&] {
           result =
             sweep.advance(arrays, fields, step.time_step, step.pic_factor);

@@ -44,6 +44,7 @@ namespace mpm_granular::Solver
     , materials({"sand"})
     , regions({"body"})
     , boundary_conditions({"walls"})
+    , velocity_update("blend")
     , averaging("none")
     , damping("none")
   {}
@@ -93,10 +94,15 @@ namespace mpm_granular::Solver
     add_section(prm, "Body force", [&] { body_force.add_parameters(prm); });
     add_section(prm, "Scheme", [&] {
       transfer.add_parameters(prm);
+      velocity_update.add_parameters(
+        prm,
+        "Velocity update",
+        "How points take their velocity from the grid and hand it on:");
       averaging.add_parameters(prm,
                                "Averaging",
                                "How stresses of points become forces of nodes, "
                                "and velocities of nodes gradients at points:");
+      position_shift.add_parameters(prm);
       momentum.add_parameters(prm);
     });
     add_section(prm, "Damping", [&] {
@@ -139,7 +145,32 @@ namespace mpm_granular::Solver
     check_named("Boundary conditions", boundary_conditions);
     body_force.check();
     transfer.check();
+    velocity_update->check();
+    require(!velocity_update->needs_means_of_gradients() ||
+              averaging->filling_of_nodes() != nullptr,
+            "Scheme/Velocity update = " + velocity_update.chosen_name() +
+              " needs Scheme/Averaging = nodes, or a Scheme/Gradient damping "
+              "rate (1000/s for a wall of 2 m): points at the edge of a body "
+              "would fly off; given: " +
+              averaging.chosen_name() + ", 0/s.");
+    require(!position_shift.is_active() ||
+              averaging->filling_of_nodes() != nullptr,
+            "Scheme/Position shift rate needs Scheme/Averaging = nodes (or to "
+            "be 0); given: " +
+              averaging.chosen_name() + ".");
     momentum.check();
+    require(!velocity_update->needs_lumped_mass() ||
+              momentum.mass_matrix.chosen_name() == "lumped",
+            "Scheme/Velocity update = " + velocity_update.chosen_name() +
+              " needs Scheme/Mass matrix = lumped, which is a part of it; "
+              "given: " +
+              momentum.mass_matrix.chosen_name() + ".");
+    require(velocity_update->handles_stress_first() ||
+              transfer.stress_order() !=
+                Transfer::StressOrder::update_stress_first,
+            "Scheme/Velocity update = " + velocity_update.chosen_name() +
+              " needs Scheme/Stress order = MUSL or USL: points take over the "
+              "gradient of the new velocity; given: USF.");
     damping->check();
     require(momentum.mass_scaling == 1. || damping->is_active(),
             "Scheme/Mass scaling = " + Core::exact_text(momentum.mass_scaling) +

@@ -28,8 +28,8 @@ namespace mpm_granular::Solver
       return laws;
     }
 
-    /// Names of the history slots; laws that name one slot differently share
-    /// it.
+    /// Names of the history slots of the laws; laws that name one slot
+    /// differently share it.
     template <int dim>
     std::vector<std::string>
     history_names(const Laws<dim> &laws)
@@ -44,6 +44,18 @@ namespace mpm_granular::Solver
             else if (names[slot] != of_law[slot])
               names[slot] += "_or_" + of_law[slot];
         }
+      return names;
+    }
+
+    /// Those of the laws, then those of the transfer.
+    template <int dim>
+    std::vector<std::string>
+    history_names(const Laws<dim>                     &laws,
+                  const Transfer::VelocityUpdate<dim> &velocity_update)
+    {
+      auto       names       = history_names<dim>(laws);
+      const auto of_transfer = velocity_update.history_names();
+      names.insert(names.end(), of_transfer.begin(), of_transfer.end());
       return names;
     }
 
@@ -67,15 +79,19 @@ namespace mpm_granular::Solver
     , partition(parameters.partition, mesh, communicator)
     , adaptation(parameters.adaptation)
     , laws(laws_of(parameters))
-    , points(mesh, partition, history_names<dim>(laws))
+    , points(mesh,
+             partition,
+             history_names<dim>(laws, *parameters.velocity_update))
     , fields(mesh, partition)
     , boundary(parameters.boundary_conditions, mesh, communicator)
     , momentum(parameters.momentum, mesh, least_density<dim>(laws))
     , averaging(*parameters.averaging)
+    , velocity_update(*parameters.velocity_update)
     , step_control(parameters.time_step)
-    , sweep(mesh, partition, laws, averaging)
+    , sweep(mesh, partition, laws, averaging, velocity_update)
   {
     averaging.reinit(mesh, partition, largest_specific_volumes());
+    velocity_update.set_first_slot(history_names<dim>(laws).size());
     check_contact();
     create_points_on_adapted_mesh(input_file);
     set_initial_state();
@@ -103,6 +119,9 @@ namespace mpm_granular::Solver
     require(parameters.transfer.stress_order() !=
               Transfer::StressOrder::update_stress_first,
             wall + "needs Scheme/Stress order = MUSL or USL, not USF.");
+    require(velocity_update.handles_contact(),
+            wall + "needs another Scheme/Velocity update than " +
+              parameters.velocity_update.chosen_name() + ".");
   }
 
   template <int dim>
@@ -148,11 +167,22 @@ namespace mpm_granular::Solver
     auto       &arrays  = points.arrays();
     const auto  gravity = parameters.body_force.gravity_at(0.);
     std::string remark;
+
+    // Small against what a point stands for, large against round-off.
+    constexpr double small           = 1e-3;
+    const bool       keeps_gradients = !velocity_update.history_names().empty();
     for (unsigned int p = 0; p < arrays.size(); ++p)
       {
         const auto &law = *laws[arrays.material[p]];
         parameters.initial_state.apply(arrays, p, law.density(), gravity);
         law.initialize(arrays, {p, p + 1});
+        if (keeps_gradients)
+          velocity_update.initialize(arrays,
+                                     p,
+                                     parameters.initial_state.velocity_gradient(
+                                       arrays.location(p),
+                                       small *
+                                         std::pow(arrays.volume[p], 1. / dim)));
         double speed = 0.;
         for (unsigned int d = 0; d < dim; ++d)
           speed += std::abs(arrays.velocity[d][p]);

@@ -49,7 +49,7 @@ namespace mpm_granular::Solver
     boundary.add_tractions(fields, load_time());                // (T10)
     parameters.body_force.add_loads(fields, mesh, load_time()); // (T10)
     const Momentum::StepInput<dim> step{dt,
-                                        parameters.transfer.pic_factor(dt),
+                                        velocity_update.pic_factor(dt),
                                         parameters.body_force.gravity_at(
                                           load_time()),
                                         boundary.constraints(),
@@ -63,10 +63,10 @@ namespace mpm_granular::Solver
   MPMSolver<dim>::strain_in_place(const Momentum::StepInput<dim> &step)
   {
     auto &arrays = points.arrays();
-    averaging.find_forces(fields);         // (T41, T43)
-    momentum.advance(fields, step);        // (T12)
-    momentum.remap_velocity(fields, step); // (T16)
-    averaging.find_gradients(fields);      // (T42)
+    averaging.find_forces(fields);    // (T41, T43)
+    find_velocities(step);            // (T12, T14)
+    remap_velocity(step);             // (T16)
+    averaging.find_gradients(fields); // (T42)
     count_lost_power(step.time_step);
     measure_unrest(step);
 
@@ -110,7 +110,10 @@ namespace mpm_granular::Solver
     for (auto &component : arrays.velocity)
       std::fill(component.begin(), component.end(), 0.);
     for (unsigned int p = 0; p < arrays.size(); ++p)
-      laws[arrays.material[p]]->initialize(arrays, {p, p + 1});
+      {
+        laws[arrays.material[p]]->initialize(arrays, {p, p + 1});
+        velocity_update.initialize(arrays, p, {});
+      }
     ledger       = {};
     current_time = 0.;
     project();

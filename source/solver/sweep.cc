@@ -12,11 +12,13 @@ namespace mpm_granular::Solver
     const Mesh::BackgroundMesh<dim>                            &mesh,
     const Mesh::Partition<dim>                                 &partition,
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws,
-    Transfer::Averaging<dim>                                   &averaging)
+    Transfer::Averaging<dim>                                   &averaging,
+    const Transfer::VelocityUpdate<dim>                        &velocity_update)
     : mesh(mesh)
     , partition(partition)
     , laws(laws)
     , averaging(averaging)
+    , velocity_update(velocity_update)
     , filter(mesh)
   {}
 
@@ -56,6 +58,7 @@ namespace mpm_granular::Solver
   {
     result.relocation += Transfer::relocate(mesh, partition, points, block);
     Transfer::add_mass_and_momentum(mesh, points, block, fields);
+    velocity_update.give(mesh, points, block, fields);
     averaging.add_volumes(points, block, fields);
     result.motion += Points::motion_of(points, block.begin, block.end);
     result.n_runs += block.runs.size();
@@ -121,6 +124,7 @@ namespace mpm_granular::Solver
     clear(fields);
     for_each_block(points, [&] {
       averaging.evaluate(fields, points, block);
+      velocity_update.take(block, points);
       Transfer::move_points(mesh, fields, block, time_step, pic_factor, points);
       result.dissipated += update_stresses(points, time_step);
       relocate_and_sum(points, fields, result);

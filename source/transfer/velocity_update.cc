@@ -1,70 +1,46 @@
-#include <mpm_granular/parameters/documentation_handler.h>
 #include <mpm_granular/transfer/velocity_update.h>
-
-#include <algorithm>
 
 namespace mpm_granular::Transfer
 {
   using namespace dealii;
 
+  template <int dim>
   void
-  TransferParameters::add_parameters(ParameterHandler &prm)
+  VelocityUpdate<dim>::find_motion(const NodalVelocities<dim> &velocities,
+                                   const double                time_step,
+                                   Grid::NodalFields<dim>     &fields)
   {
-    prm.add_parameter(
-      "Stress order",
-      order,
-      "When stresses are updated, and with the gradient of which "
-      "velocity: before the forces, with the mapped velocity "
-      "(USF); after the momentum balance, with the new velocity "
-      "(USL); the same with the velocity re-mapped from the "
-      "points (MUSL).",
-      Patterns::Selection("MUSL|USL|USF"));
-    prm.add_parameter(
-      "Velocity update",
-      velocity_update,
-      "How points take their velocity from the grid: 'FLIP' adds "
-      "its change; 'PIC' replaces it (the paper's eq. 16); "
-      "'blend' is FLIP that replaces a small part at a rate.",
-      Patterns::Selection("blend|FLIP|PIC"));
-    Parameters::only_with(
-      prm, "Velocity update", "blend", velocity_update, [&] {
-        prm.add_parameter(
-          "PIC rate",
-          pic_rate,
-          "Part of the points' velocity that is replaced by the "
-          "grid's, per time. As a rate it does not depend on the "
-          "time step. Units: 1/s.",
-          Patterns::Double(0.));
-      });
-    prm.add_parameter(
-      "Pressure filter rate",
-      pressure_filter_rate,
-      "Rate at which the pressures of points in contact relax to a smooth "
-      "field, which removes pressure noise (granular laws only). 0: never; "
-      "0.2 times wave speed over cell size is a good value for flows. "
-      "Units: 1/s.",
-      Patterns::Double(0.));
+    const unsigned int n = fields.n_active_nodes();
+    const double       c = pic_factor(time_step);
+    change.resize(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        change[i] =
+          velocities.new_velocity[i] - (1. - c) * velocities.old_velocity[i];
+        fields.motion[i].velocity = velocities.new_velocity[i];
+        fields.motion[i].change   = change[i];
+      }
   }
 
-  StressOrder
-  TransferParameters::stress_order() const
+  template <int dim>
+  void
+  VelocityUpdate<dim>::add_momentum(Grid::NodalFields<dim> &fields,
+                                    NodalVectors<dim>      &momentum) const
   {
-    return order == "USF" ? StressOrder::update_stress_first :
-           order == "USL" ? StressOrder::update_stress_last :
-                            StressOrder::modified_update_stress_last;
+    // The points' new momentum, seen from the nodes of the old positions, is
+    // the action of the sampled consistent mass matrix: no pass over the
+    // points.
+    fields.add_mass_times(change, momentum);
   }
 
-  double
-  TransferParameters::pic_factor(const double time_step) const
+  template <int dim>
+  void
+  VelocityUpdate<dim>::set_change(Grid::NodalFields<dim> &fields) const
   {
-    return velocity_update == "FLIP" ? 0. :
-           velocity_update == "PIC"  ? 1. :
-                                       std::min(1., pic_rate * time_step);
+    for (unsigned int i = 0; i < change.size(); ++i)
+      fields.motion[i].change = change[i];
   }
 
-  double
-  TransferParameters::filter_fraction(const double duration) const
-  {
-    return std::min(1., pressure_filter_rate * duration);
-  }
+  template class VelocityUpdate<2>;
+  template class VelocityUpdate<3>;
 } // namespace mpm_granular::Transfer

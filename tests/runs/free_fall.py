@@ -32,6 +32,9 @@ end
 SCHEMES = [["Scheme/Stress order=MUSL"], ["Scheme/Stress order=USL"],
            ["Scheme/Stress order=USF"], ["Scheme/Velocity update=FLIP"],
            ["Scheme/Velocity update=PIC"],
+           ["Scheme/Velocity update=APIC", "Scheme/Averaging=nodes"],
+           ["Scheme/Velocity update=XPIC", "Scheme/Order=3"],
+           ["Scheme/Velocity update=FMPM", "Scheme/Stress order=USL"],
            ["Scheme/Mass matrix=near-consistent",
             "Scheme/Consistent part=0.5"]]
 for dim in (2, 3):

@@ -31,10 +31,11 @@ namespace Test
     ScatteredPoints(
       const Mesh::MeshSource<dim>                             &source,
       const std::function<Tensor<1, dim>(const Point<dim> &)> &velocity,
-      const MPI_Comm communicator = MPI_COMM_SELF)
+      const MPI_Comm                  communicator  = MPI_COMM_SELF,
+      const std::vector<std::string> &history_names = {})
       : mesh(source, "", communicator)
       , partition({}, mesh, communicator)
-      , points(mesh, partition, {})
+      , points(mesh, partition, history_names)
       , fields(mesh, partition)
     {
       // Steps of which no two or three are in proportion fill the box evenly.

@@ -65,8 +65,8 @@ namespace mpm_granular::Momentum
 
   /**
    * The momentum balance on the active nodes: old velocity from the points'
-   * momentum, new velocity from the forces (T12), what the points take from
-   * them (T14), and the re-mapped velocity of MUSL (T16).
+   * momentum, new velocity from the forces (T12), and the re-mapped velocity of
+   * MUSL (T16).
    */
   template <int dim>
   class MomentumBalance
@@ -86,16 +86,44 @@ namespace mpm_granular::Momentum
     map_velocity(Grid::NodalFields<dim>               &fields,
                  const Grid::VelocityConstraints<dim> &constraints);
 
-    /// Advances the velocities: NodeMotion::velocity and change.
+    /// Finds the velocities before and after the step.
     void
     advance(Grid::NodalFields<dim> &fields, const StepInput<dim> &step);
 
-    /// NodeMotion::straining = the new velocity (USL).
+    /// The velocity that the points' momentum gives, by slot [m/s]; after
+    /// advance().
+    const NodalVectors<dim> &
+    velocity_before() const
+    {
+      return old_velocity;
+    }
+
+    /// The new velocity, by slot [m/s]; after advance().
+    const NodalVectors<dim> &
+    velocity_after() const
+    {
+      return new_velocity;
+    }
+
+    /// The constraints in the step, with those of walls that only push; after
+    /// advance().
+    const Grid::VelocityConstraints<dim> &
+    holding(const StepInput<dim> &step) const
+    {
+      return step.constraints.has_contact ? contact : step.constraints;
+    }
+
+    /// NodeMotion::straining = NodeMotion::velocity (USL).
     void
     strain_with_velocity(Grid::NodalFields<dim> &fields) const;
 
+    /// The part of the momentum before the step that the points keep, by slot
+    /// [kg m/s]: to be completed to their new momentum; after advance().
+    NodalVectors<dim> &
+    kept_momentum(const StepInput<dim> &step);
+
     /// NodeMotion::straining = the velocity that the points' new momentum gives
-    /// (MUSL).
+    /// (MUSL), which is what kept_momentum() has been made.
     void
     remap_velocity(Grid::NodalFields<dim> &fields, const StepInput<dim> &step);
 
@@ -121,13 +149,6 @@ namespace mpm_granular::Momentum
     void
     add_damping(const StepInput<dim> &step);
 
-    /// The constraints in the step, with those of walls that only push.
-    const Grid::VelocityConstraints<dim> &
-    holding(const StepInput<dim> &step) const
-    {
-      return step.constraints.has_contact ? contact : step.constraints;
-    }
-
     MassMatrix<dim>                 &mass;
     const Mesh::BackgroundMesh<dim> &mesh;
     const double      least_density; ///< of a node: below, forces are dropped
@@ -135,7 +156,7 @@ namespace mpm_granular::Momentum
     NodalVectors<dim> old_momentum;
     NodalVectors<dim> old_velocity;
     NodalVectors<dim> new_velocity;
-    NodalVectors<dim> change;
+    NodalVectors<dim> remapped_velocity;
     NodalVectors<dim> damping_impulse; ///< over the mass scaling; or empty
     NodalVectors<dim> scratch;
 

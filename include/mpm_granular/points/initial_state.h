@@ -54,6 +54,12 @@ namespace mpm_granular::Points
           const double                  density,
           const dealii::Tensor<1, dim> &gravity) const;
 
+    /// The gradient of the initial velocity at a place, by differences over
+    /// @p length, which are exact for linear velocities [1/s].
+    dealii::Tensor<2, dim>
+    velocity_gradient(const dealii::Point<dim> &place,
+                      const double              length) const;
+
   private:
     std::string velocity = dim == 2 ? "0; 0" : "0; 0; 0";
     Parameters::Choice<InitialStress<dim>>       stress;

@@ -28,7 +28,8 @@ namespace mpm_granular::Points
   public:
     /**
      * @param partition says which points this rank holds; must live as long.
-     * @param history_names history slots of the laws, over all materials.
+     * @param history_names history slots of the laws, over all materials, and
+     *   of the transfer.
      */
     MaterialPoints(const Mesh::BackgroundMesh<dim> &mesh,
                    const Mesh::Partition<dim>      &partition,

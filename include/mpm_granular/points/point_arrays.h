@@ -43,7 +43,7 @@ namespace mpm_granular::Points
                        stress;  ///< Cauchy stress, tension > 0 [Pa]
     Array              mass;    ///< [kg], in 2D [kg/m]
     Array              volume;  ///< current volume [m^3], in 2D [m^2]
-    std::vector<Array> history; ///< slots of the constitutive laws
+    std::vector<Array> history; ///< slots of the laws, then of the transfer
 
     std::vector<unsigned int>  cell;     ///< flat index of the host cell
     std::vector<std::uint32_t> id;       ///< never changes

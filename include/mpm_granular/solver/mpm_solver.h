@@ -271,6 +271,12 @@ namespace mpm_granular::Solver
     void
     smooth_pressures();
     void
+    find_velocities(const Momentum::StepInput<dim> &step);
+    void
+    shift_positions(const Momentum::StepInput<dim> &step);
+    void
+    remap_velocity(const Momentum::StepInput<dim> &step);
+    void
     move_and_strain(const Momentum::StepInput<dim> &step);
     void
     strain_in_place(const Momentum::StepInput<dim> &step);
@@ -329,6 +335,7 @@ namespace mpm_granular::Solver
     Boundary::BoundaryManager<dim>                       boundary;
     Momentum::MomentumBalance<dim>                       momentum;
     Transfer::Averaging<dim>                            &averaging;
+    Transfer::VelocityUpdate<dim>                       &velocity_update;
     Time::StepControl                                    step_control;
     Sweep<dim>                                           sweep;
 

@@ -18,6 +18,8 @@
 #include <mpm_granular/solver/initial_equilibrium.h>
 #include <mpm_granular/time/step_control.h>
 #include <mpm_granular/transfer/averaging.h>
+#include <mpm_granular/transfer/position_shift.h>
+#include <mpm_granular/transfer/transfer_parameters.h>
 #include <mpm_granular/transfer/velocity_update.h>
 
 #include <string>
@@ -43,7 +45,9 @@ namespace mpm_granular::Solver
     Boundary::BoundarySettings<dim>                   boundary_conditions;
     Momentum::BodyForce<dim>                          body_force;
     Transfer::TransferParameters                      transfer;
+    Parameters::Choice<Transfer::VelocityUpdate<dim>> velocity_update;
     Parameters::Choice<Transfer::Averaging<dim>>      averaging;
+    Transfer::PositionShift<dim>                      position_shift;
     Momentum::MomentumParameters<dim>                 momentum;
     Parameters::Choice<Momentum::Damping<dim>>        damping;
     Time::StepParameters                              time_step;

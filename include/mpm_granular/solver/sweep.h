@@ -9,6 +9,7 @@
 #include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/point_block.h>
 #include <mpm_granular/transfer/pressure_filter.h>
+#include <mpm_granular/transfer/velocity_update.h>
 
 #include <vector>
 
@@ -33,11 +34,13 @@ namespace mpm_granular::Solver
   class Sweep
   {
   public:
-    /// @param laws by material index; like @p averaging, must live as long.
+    /// @param laws by material index; like @p averaging and @p velocity_update,
+    ///   must live as long.
     Sweep(const Mesh::BackgroundMesh<dim>                            &mesh,
           const Mesh::Partition<dim>                                 &partition,
           const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws,
-          Transfer::Averaging<dim> &averaging);
+          Transfer::Averaging<dim>                                   &averaging,
+          const Transfer::VelocityUpdate<dim> &velocity_update);
 
     /// Sums the points as they are to the cells: before the first step, and
     /// whenever the points have changed outside of a step.
@@ -112,6 +115,7 @@ namespace mpm_granular::Solver
     const Mesh::Partition<dim>                                 &partition;
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws;
     Transfer::Averaging<dim>                                   &averaging;
+    const Transfer::VelocityUpdate<dim>                        &velocity_update;
     Transfer::PointBlock<dim>                                   block;
     Transfer::PressureFilter<dim>                               filter;
     std::vector<double> smooth_pressure; ///< of the points of a run [Pa]

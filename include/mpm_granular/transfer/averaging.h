@@ -6,6 +6,7 @@
 #include <mpm_granular/grid/nodal_fields.h>
 #include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/parameters/parameter_group.h>
+#include <mpm_granular/transfer/filling.h>
 #include <mpm_granular/transfer/point_block.h>
 
 #include <vector>
@@ -66,6 +67,14 @@ namespace mpm_granular::Transfer
     virtual void
     find_weights(Grid::NodalFields<dim> & /*fields*/)
     {}
+
+    /// How full of material the surroundings of nodes are, after
+    /// find_weights(); nullptr if nothing is averaged around nodes.
+    virtual const Filling<dim> *
+    filling_of_nodes() const
+    {
+      return nullptr;
+    }
 
     /// Completes the internal forces of the nodes, which have been summed from
     /// the cells as add_stresses() left them (T9).

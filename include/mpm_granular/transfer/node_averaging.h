@@ -50,6 +50,12 @@ namespace mpm_granular::Transfer
     void
     find_weights(Grid::NodalFields<dim> &fields) override;
 
+    const Filling<dim> *
+    filling_of_nodes() const override
+    {
+      return &filling;
+    }
+
     void
     find_forces(Grid::NodalFields<dim> &fields) override;
 

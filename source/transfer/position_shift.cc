@@ -1,0 +1,90 @@
+#include <deal.II/base/patterns.h>
+
+#include <mpm_granular/transfer/position_shift.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mpm_granular::Transfer
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  PositionShift<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Position shift rate",
+                      rate,
+                      "Rate at which points move from where they are too many "
+                      "to where there is room, for flows with few points per "
+                      "cell (with 'Averaging = nodes' only). 0: never. Units: "
+                      "1/s.",
+                      Patterns::Double(0.));
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  PositionShift<dim>::add(const Mesh::BackgroundMesh<dim>      &mesh,
+                          const Mesh::Partition<dim>           &partition,
+                          const Filling<dim>                   &filling,
+                          const Grid::VelocityConstraints<dim> &constraints,
+                          const double                          time_step,
+                          Grid::NodalFields<dim>               &fields) const
+  {
+    using Cell = Mesh::SimplexCell<dim>;
+
+    // In a step, of the size of a cell.
+    constexpr double furthest = 0.01;
+
+    const auto &cells  = mesh.template cells<Cell>();
+    const auto &active = fields.template cells<Cell>();
+    const auto  excess = [&](const unsigned int node) {
+      return std::max(filling.fraction(fields, node) - 1., 0.);
+    };
+
+    // Means over the cells around the nodes: sums, and their weights.
+    std::vector<std::array<double, dim + 1>> shifts(fields.n_active_nodes());
+    for (unsigned int c = 0; c < fields.active_cells.size(); ++c)
+      {
+        const unsigned int index = fields.active_cells[c];
+        if (!partition.is_owned(index))
+          continue;
+        const auto    &nodes = active.nodes[c];
+        Tensor<1, dim> slope;
+        for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+          slope += excess(nodes[k]) * cells[index].shape_gradient(k);
+
+        const double volume = mesh.cell_volume(index);
+        const double size = std::pow(volume / Cell::reference_volume, 1. / dim);
+        const double largest = furthest * size / time_step;
+        std::array<double, dim + 1> part;
+        for (unsigned int d = 0; d < dim; ++d)
+          part[d] =
+            volume *
+            std::clamp(-rate * size * size * slope[d], -largest, largest);
+        part[dim] = volume;
+        for (const unsigned int node : nodes)
+          fields.hanging.add_at(shifts, node, part);
+      }
+    fields.shared.sum(shifts);
+
+    std::vector<Tensor<1, dim>> velocity(shifts.size());
+    for (unsigned int i = 0; i < velocity.size(); ++i)
+      if (shifts[i][dim] > 0.)
+        for (unsigned int d = 0; d < dim; ++d)
+          velocity[i][d] = shifts[i][d] / shifts[i][dim];
+    constraints.project(velocity);
+
+    Tensor<1, dim> moved;
+    for (unsigned int i = 0; i < velocity.size(); ++i)
+      {
+        fields.motion[i].velocity += velocity[i];
+        if (fields.shared.counts(i))
+          moved += fields.sums[i].mass * velocity[i];
+      }
+    return moved;
+  }
+
+  template class PositionShift<2>;
+  template class PositionShift<3>;
+} // namespace mpm_granular::Transfer
