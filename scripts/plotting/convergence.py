@@ -13,10 +13,12 @@ LINES = [("#0072B2", "o"), ("#D55E00", "s"), ("#009E73", "^"), ("#CC79A7", "D"),
 
 
 def line_style(index):
-    """Colour and marker of line number `index`."""
+    """Colour, marker and dashes of line number `index`."""
     colour, marker = LINES[index % len(LINES)]
+    dashes = ["-", "--", ":"][index // len(LINES) % 3]
     return {"color": colour, "marker": marker, "markersize": 5,
-            "linewidth": 1.4}
+            "linewidth": 1.4, "linestyle": dashes,
+            "markerfacecolor": colour if index < len(LINES) else "white"}
 
 
 def draw_convergence(axes, series, orders=(), size_label="size of cells h [m]",
@@ -46,7 +48,7 @@ def draw_convergence(axes, series, orders=(), size_label="size of cells h [m]",
         axes.legend(fontsize=9)
     else:
         axes.legend(fontsize=8, ncol=2, loc="upper center",
-                    bbox_to_anchor=(.5, -.16))
+                    bbox_to_anchor=(.5, -.22))
 
 
 def new_figure(n_panels=1):
