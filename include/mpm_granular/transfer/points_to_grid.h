@@ -15,7 +15,7 @@ namespace mpm_granular::Transfer
   void
   add_mass_and_momentum(const Mesh::BackgroundMesh<dim> &mesh,
                         const Points::PointArrays<dim>  &points,
-                        const PointBlock<dim>           &block,
+                        PointBlock<dim>                 &block,
                         Grid::NodalFields<dim>          &fields);
 
   /// Adds V sigma of the block's points, or the forces that follow from it, to

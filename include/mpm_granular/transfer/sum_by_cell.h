@@ -6,6 +6,28 @@
 namespace mpm_granular::Transfer
 {
   /**
+   * Calls @p action(cell, range) for the points of a block that follow each
+   * other in the same cell, at their new places: mostly whole runs.
+   */
+  template <int dim, class Action>
+  inline void
+  for_each_in_same_cell(const Points::PointArrays<dim> &points,
+                        const PointBlock<dim>          &block,
+                        Action                        &&action)
+  {
+    const unsigned int *const cell = points.cell.data();
+    for (const auto &run : block.runs)
+      for (unsigned int begin = run.begin, end = begin; begin < run.end;
+           begin = end)
+        {
+          do
+            ++end;
+          while (end < run.end && cell[end] == cell[begin]);
+          action(cell[begin], Points::Run{begin, end});
+        }
+  }
+
+  /**
    * Sums contributions of the points of a block by cell: points that are in the
    * same cell as the one before add to local sums, which go to the cell when it
    * changes.
@@ -22,22 +44,13 @@ namespace mpm_granular::Transfer
               Contribute                    &&contribute,
               Store                         &&store)
   {
-    for (const auto &run : block.runs)
-      {
-        Sums         sums{};
-        unsigned int current = points.cell[run.begin];
-        for (unsigned int p = run.begin; p < run.end; ++p)
-          {
-            if (points.cell[p] != current)
-              {
-                store(current, sums);
-                sums    = Sums{};
-                current = points.cell[p];
-              }
-            contribute(p, sums);
-          }
-        store(current, sums);
-      }
+    for_each_in_same_cell(
+      points, block, [&](const unsigned int cell, const auto &range) {
+        Sums sums{};
+        for (unsigned int p = range.begin; p < range.end; ++p)
+          contribute(p, sums);
+        store(cell, sums);
+      });
   }
 } // namespace mpm_granular::Transfer
 
