@@ -432,10 +432,12 @@ namespace mpm_granular::Transfer
           });
         }
 
+      block.movers.clear();
       for (unsigned int p = block.begin; p < block.end; ++p)
+        if (!(heights[p - block.begin] >= least))
+          block.movers.push_back(p);
+      for (const unsigned int p : block.movers)
         {
-          if (heights[p - block.begin] >= least)
-            continue;
           const auto x     = points.location(p);
           const auto found = Mesh::walk_to(cells, x, points.cell[p]);
           points.cell[p]   = found.cell;
@@ -451,6 +453,7 @@ namespace mpm_granular::Transfer
             values[k][p - block.begin] = inner[k];
         }
     });
+    block.find_parts(points);
     return result;
   }
 

@@ -37,6 +37,27 @@ namespace mpm_granular::Transfer
       }
   }
 
+  template <int dim>
+  void
+  PointBlock<dim>::find_parts(const Points::PointArrays<dim> &points)
+  {
+    const unsigned int *cell = points.cell.data();
+    parts.clear();
+    unsigned int next = 0; // of the movers
+    for (const auto &run : runs)
+      {
+        unsigned int first = run.begin;
+        for (; next < movers.size() && movers[next] < run.end; ++next)
+          for (const unsigned int p : {movers[next], movers[next] + 1})
+            if (p > first && p < run.end && cell[p] != cell[p - 1])
+              {
+                parts.push_back({cell[first], {first, p}});
+                first = p;
+              }
+        parts.push_back({cell[first], {first, run.end}});
+      }
+  }
+
   template struct PointBlock<2>;
   template struct PointBlock<3>;
 } // namespace mpm_granular::Transfer

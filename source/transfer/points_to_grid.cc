@@ -1,6 +1,7 @@
 #include <mpm_granular/core/lanes.h>
 #include <mpm_granular/transfer/points_to_grid.h>
-#include <mpm_granular/transfer/sum_by_cell.h>
+
+#include <algorithm>
 
 namespace mpm_granular::Transfer
 {
@@ -8,6 +9,30 @@ namespace mpm_granular::Transfer
 
   namespace
   {
+    /// What mass and momentum follow from, as raw pointers: loops that also
+    /// write to memory would read the vectors' pointers again and again.
+    template <int dim>
+    struct MovingPoints
+    {
+      MovingPoints(const Points::PointArrays<dim> &points,
+                   const PointBlock<dim>          &block)
+        : n_points(points.size())
+        , begin(block.begin)
+        , mass(points.mass.data())
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          velocity[d] = points.velocity[d].data();
+        for (unsigned int k = 0; k < shape_values.size(); ++k)
+          shape_values[k] = block.shape_values[k].data();
+      }
+
+      unsigned int                            n_points; ///< of all blocks
+      unsigned int                            begin;    ///< of the block
+      const double                           *mass;
+      std::array<const double *, dim>         velocity;
+      std::array<const double *, (1u << dim)> shape_values; ///< from begin on
+    };
+
     /// Mass and momentum of some points of a cell.
     template <class Cell>
     struct MassAndMomentum
@@ -17,21 +42,31 @@ namespace mpm_granular::Transfer
       Grid::CellMass<Cell> mass;
       double               momentum[Cell::dim][n_nodes];
 
+      // The inner loops run over the nodes.
       void
-      add(const double                         of_point,
-          const double                        *values,
-          const std::array<double, Cell::dim> &velocity)
+      add(const MovingPoints<Cell::dim> &points, const Points::Run range)
       {
-        double shape_value[n_nodes], weighted[n_nodes];
-        for (unsigned int k = 0; k < n_nodes; ++k)
+        for (unsigned int p = range.begin; p < range.end; ++p)
           {
-            shape_value[k] = values[k];
-            weighted[k]    = of_point * values[k];
+            double shape_value[n_nodes], weighted[n_nodes];
+            for (unsigned int k = 0; k < n_nodes; ++k)
+              {
+                shape_value[k] = points.shape_values[k][p - points.begin];
+                weighted[k]    = points.mass[p] * shape_value[k];
+              }
+            mass.add(shape_value, weighted);
+            for (unsigned int d = 0; d < Cell::dim; ++d)
+              for (unsigned int k = 0; k < n_nodes; ++k)
+                momentum[d][k] += points.velocity[d][p] * weighted[k];
           }
-        mass.add(shape_value, weighted);
+      }
+
+      void
+      copy_to(Grid::CellSums<Cell> &total) const
+      {
+        total.mass = mass;
         for (unsigned int d = 0; d < Cell::dim; ++d)
-          for (unsigned int k = 0; k < n_nodes; ++k)
-            momentum[d][k] += velocity[d] * weighted[k];
+          std::copy_n(momentum[d], n_nodes, total.momentum[d].begin());
       }
 
       void
@@ -50,16 +85,56 @@ namespace mpm_granular::Transfer
     {
       Lanes mass[4], momentum[3];
 
+      /// Four points at a time without a branch for each: lengths of ranges
+      /// cannot be predicted. Those that do not belong to the range have no
+      /// mass.
       void
-      add(const double                 of_point,
-          const double                *values,
-          const std::array<double, 3> &velocity)
+      add(const MovingPoints<3> &points, const Points::Run range)
       {
-        const Lanes weighted = load<Lanes>(values) * of_point;
-        for (unsigned int i = 0; i < 4; ++i)
-          mass[i] += weighted * values[i];
+        for (unsigned int p = range.begin; p < range.end; p += Lanes::n)
+          {
+            const unsigned int i         = p - points.begin;
+            const bool         is_last   = p + Lanes::n > points.n_points;
+            Lanes              of_points = 0.;
+            if (is_last)
+              for (unsigned int q = 0; p + q < range.end; ++q)
+                of_points.data[q] = points.mass[p + q];
+            else
+              of_points = first_of(load<Lanes>(points.mass + p), range.end - p);
+
+            Lanes weighted[4]; // lanes of points, then of nodes
+            for (unsigned int k = 0; k < 4; ++k)
+              weighted[k] = of_points * load<Lanes>(points.shape_values[k] + i);
+            transpose(weighted);
+
+            const unsigned int n = is_last ? points.n_points - p : Lanes::n;
+            if (n == Lanes::n)
+              for (unsigned int q = 0; q < Lanes::n; ++q)
+                add(points, p + q, weighted[q]);
+            else
+              for (unsigned int q = 0; q < n; ++q)
+                add(points, p + q, weighted[q]);
+          }
+      }
+
+      void
+      add(const MovingPoints<3> &points,
+          const unsigned int     p,
+          const Lanes           &weighted)
+      {
+        for (unsigned int k = 0; k < 4; ++k)
+          mass[k] += weighted * points.shape_values[k][p - points.begin];
         for (unsigned int d = 0; d < 3; ++d)
-          momentum[d] += weighted * velocity[d];
+          momentum[d] += weighted * points.velocity[d][p];
+      }
+
+      void
+      copy_to(Grid::CellSums<Mesh::SimplexCell<3>> &total) const
+      {
+        for (unsigned int i = 0; i < 4; ++i)
+          store(mass[i], &total.mass.entries[4 * i]);
+        for (unsigned int d = 0; d < 3; ++d)
+          store(momentum[d], total.momentum[d].data());
       }
 
       void
@@ -75,8 +150,7 @@ namespace mpm_granular::Transfer
       }
     };
 
-    /// The stresses and volumes of the points, as raw pointers: loops that also
-    /// write to memory would read the vectors' pointers again and again.
+    /// The same for stresses.
     template <int dim>
     struct StressesOfPoints
     {
@@ -106,9 +180,20 @@ namespace mpm_granular::Transfer
           {
             const Lanes volume =
               first_of(load<Lanes>(of_points.volume + p), range.end - p);
-            for (unsigned int s = 0; s < n_stress<dim>; ++s)
-              sums.stress[s] +=
-                sum(volume * load<Lanes>(of_points.stress[s] + p));
+            for (unsigned int s = 0; s < n_stress<dim>; s += Lanes::n)
+              {
+                // From lanes of points to lanes of components.
+                const unsigned int n = std::min(n_stress<dim> - s, Lanes::n);
+                Lanes              parts[Lanes::n];
+                for (unsigned int c = 0; c < Lanes::n; ++c)
+                  parts[c] =
+                    c < n ? volume * load<Lanes>(of_points.stress[s + c] + p) :
+                            Lanes(0.);
+                transpose(parts);
+                const Lanes sum = (parts[0] + parts[1]) + (parts[2] + parts[3]);
+                for (unsigned int c = 0; c < n; ++c)
+                  sums.stress[s + c] += sum.data[c];
+              }
           }
         else
           for (unsigned int q = p; q < range.end; ++q)
@@ -167,35 +252,24 @@ namespace mpm_granular::Transfer
   void
   add_mass_and_momentum(const Mesh::BackgroundMesh<dim> &mesh,
                         const Points::PointArrays<dim>  &points,
-                        PointBlock<dim>                 &block,
+                        const PointBlock<dim>           &block,
                         Grid::NodalFields<dim>          &fields)
   {
-    // The inner loops run over the nodes of the cell: four of them fill a SIMD
-    // register, whatever the length of the run.
     mesh.visit([&](const auto &cells) {
       using Cell = typename std::decay_t<decltype(cells)>::value_type;
-      constexpr unsigned int n_nodes = Cell::n_nodes;
-      auto                  &active  = fields.template cells<Cell>();
-      block.template order_by_point<n_nodes>();
-      const double *const             mass   = points.mass.data();
-      const double *const             values = block.values_by_point.data();
-      std::array<const double *, dim> velocity;
-      for (unsigned int d = 0; d < dim; ++d)
-        velocity[d] = points.velocity[d].data();
-      sum_by_cell<MassAndMomentum<Cell>>(
-        points,
-        block,
-        [=, begin = block.begin](const unsigned int     p,
-                                 MassAndMomentum<Cell> &sums) {
-          std::array<double, dim> of_point;
-          for (unsigned int d = 0; d < dim; ++d)
-            of_point[d] = velocity[d][p];
-          sums.add(mass[p], values + (p - begin) * n_nodes, of_point);
-        },
-        [&](const unsigned int cell, const MassAndMomentum<Cell> &sums) {
-          if (cell != Mesh::no_cell)
-            sums.add_to(fields.sums_of(active, cell));
-        });
+      auto                   &active = fields.template cells<Cell>();
+      const MovingPoints<dim> of_points(points, block);
+      for (const auto &part : block.parts)
+        if (part.cell != Mesh::no_cell)
+          {
+            MassAndMomentum<Cell> sums{};
+            sums.add(of_points, part.points);
+            // A new cell is not read right after it was written, which would
+            // have to wait for the writing: 3 % of a step.
+            const bool is_new = !fields.is_active_cell(part.cell);
+            auto      &total  = fields.sums_of(active, part.cell);
+            is_new ? sums.copy_to(total) : sums.add_to(total);
+          }
     });
   }
 
@@ -211,21 +285,20 @@ namespace mpm_granular::Transfer
       using Sums = Grid::StressSums<Cell>;
       auto                       &active = fields.template cells<Cell>();
       const StressesOfPoints<dim> of_points(points);
-      for_each_in_same_cell(
-        points, block, [&](const unsigned int cell, const Points::Run range) {
-          if (cell == Mesh::no_cell)
-            return;
-          Sums sums{};
-          add_stress(cells[cell], points, of_points, range, sums);
-          fields.sums_of(active, cell).internal += sums;
-        });
+      for (const auto &part : block.parts)
+        if (part.cell != Mesh::no_cell)
+          {
+            Sums sums{};
+            add_stress(cells[part.cell], points, of_points, part.points, sums);
+            fields.sums_of(active, part.cell).internal += sums;
+          }
     });
   }
 
 #define INSTANTIATE(dim)                                                 \
   template void add_mass_and_momentum(const Mesh::BackgroundMesh<dim> &, \
                                       const Points::PointArrays<dim> &,  \
-                                      PointBlock<dim> &,                 \
+                                      const PointBlock<dim> &,           \
                                       Grid::NodalFields<dim> &);         \
   template void add_stress(const Mesh::BackgroundMesh<dim> &,            \
                            const Points::PointArrays<dim> &,             \

@@ -93,13 +93,6 @@ namespace mpm_granular
     return Lanes(is_kept ? a.data : Lanes::Vector{});
   }
 
-  /// The sum of all lanes.
-  inline double
-  sum(const Lanes &a)
-  {
-    return (a.data[0] + a.data[1]) + (a.data[2] + a.data[3]);
-  }
-
   template <class Number>
   inline Number
   load(const double *from)

@@ -4,7 +4,6 @@
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/tensor.h>
 
-#include <mpm_granular/core/lanes.h>
 #include <mpm_granular/points/point_arrays.h>
 
 #include <array>
@@ -30,6 +29,21 @@ namespace mpm_granular::Transfer
     std::vector<dealii::Tensor<2, dim>> gradients;
     std::vector<Points::Run>            strained;
 
+    /// Points in sequence that have come to the same cell, perhaps
+    /// Mesh::no_cell: mostly whole runs.
+    struct Part
+    {
+      unsigned int cell;
+      Points::Run  points;
+    };
+
+    std::vector<Part>         parts;  ///< set by relocate()
+    std::vector<unsigned int> movers; ///< the points that have left their cells
+
+    /// Sets the parts from the movers.
+    void
+    find_parts(const Points::PointArrays<dim> &points);
+
     /// Kernels compute with whole groups of points that begin at the first of a
     /// run. What they write beyond the run's end is overwritten by the next
     /// run; so arrays of the block have room for a group more.
@@ -45,33 +59,6 @@ namespace mpm_granular::Transfer
 
     /// What becomes of the points, until it is copied to them.
     std::array<Array, dim> position, velocity;
-
-    /// The shape values point by point, those of a point side by side.
-    Array values_by_point;
-
-    /// Sets values_by_point.
-    template <unsigned int n_nodes>
-    void
-    order_by_point()
-    {
-      const unsigned int n_points = end - begin;
-      if (values_by_point.size() < (n_points + Lanes::n) * n_nodes)
-        values_by_point.resize((n_points + Lanes::n) * n_nodes);
-      if constexpr (n_nodes == Lanes::n)
-        for (unsigned int i = 0; i < n_points; i += Lanes::n)
-          {
-            Lanes of_points[n_nodes];
-            for (unsigned int k = 0; k < n_nodes; ++k)
-              of_points[k] = load<Lanes>(&shape_values[k][i]);
-            transpose(of_points);
-            for (unsigned int k = 0; k < n_nodes; ++k)
-              store(of_points[k], &values_by_point[(i + k) * n_nodes]);
-          }
-      else
-        for (unsigned int i = 0; i < n_points; ++i)
-          for (unsigned int k = 0; k < n_nodes; ++k)
-            values_by_point[i * n_nodes + k] = shape_values[k][i];
-    }
 
     unsigned int begin = 0; ///< first point
     unsigned int end   = 0; ///< past the last point

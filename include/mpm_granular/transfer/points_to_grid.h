@@ -8,14 +8,14 @@ namespace mpm_granular::Transfer
 {
   /**
    * Adds mass and momentum of the block's points to the sums of their host
-   * cells (T9), with the block's shape values. Points whose cell is
+   * cells (T9), with the block's shape values and parts. Points whose cell is
    * Mesh::no_cell are left out.
    */
   template <int dim>
   void
   add_mass_and_momentum(const Mesh::BackgroundMesh<dim> &mesh,
                         const Points::PointArrays<dim>  &points,
-                        PointBlock<dim>                 &block,
+                        const PointBlock<dim>           &block,
                         Grid::NodalFields<dim>          &fields);
 
   /// Adds V sigma of the block's points, or the forces that follow from it, to
