@@ -30,9 +30,12 @@ if(CMAKE_BUILD_TYPE STREQUAL Release)
     target_compile_options(mpm_granular_flags INTERFACE
       -fno-semantic-interposition)
   endif()
-  if(MPM_NATIVE)
-    target_compile_options(mpm_granular_flags INTERFACE -march=native)
-  endif()
+endif()
+
+# Apart from the others, for programs that must not have it.
+add_library(mpm_granular_native INTERFACE)
+if(CMAKE_BUILD_TYPE STREQUAL Release AND MPM_NATIVE)
+  target_compile_options(mpm_granular_native INTERFACE -march=native)
 endif()
 
 if(CMAKE_BUILD_TYPE STREQUAL Debug AND NOT MPM_DEBUGGER)
@@ -75,5 +78,5 @@ endif()
 # deal_ii_setup_target() uses, and CMake does not let them be mixed.
 macro(set_up_target target)
   deal_ii_setup_target(${target})
-  target_link_libraries(${target} mpm_granular_flags)
+  target_link_libraries(${target} mpm_granular_flags mpm_granular_native)
 endmacro()

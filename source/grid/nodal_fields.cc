@@ -1,3 +1,4 @@
+#include <mpm_granular/core/lanes.h>
 #include <mpm_granular/grid/nodal_fields.h>
 
 #include <cstring>
@@ -10,6 +11,35 @@ namespace mpm_granular::Grid
 
   namespace
   {
+    /// Adds the internal forces of a tetrahedron to its nodes, with one lane
+    /// for each component; in the fourth one, which belongs to the load, zeros.
+    void
+    add_forces(const Mesh::SimplexCell<3>             &cell,
+               const StressSums<Mesh::SimplexCell<3>> &internal,
+               const std::array<unsigned int, 4>      &nodes,
+               std::vector<NodeSums<3>>               &sums)
+    {
+      static_assert(sizeof(NodeSums<3>) == 10 * sizeof(double));
+      const auto add = [&](const unsigned int slot, const Lanes &force) {
+        double *place = reinterpret_cast<double *>(&sums[slot]) + 4;
+        store(load<Lanes>(place) + force, place);
+      };
+      const auto &s         = internal.stress;
+      const Lanes column[3] = {Lanes(s[0], s[3], s[5], 0.),
+                               Lanes(s[3], s[1], s[4], 0.),
+                               Lanes(s[5], s[4], s[2], 0.)};
+      Lanes       rest      = 0.; // forces in a cell add up to zero
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          const auto &g = cell.gradient[k];
+          const Lanes force =
+            column[0] * -g[0] - column[1] * g[1] - column[2] * g[2];
+          add(nodes[k + 1], force);
+          rest -= force;
+        }
+      add(nodes[0], rest);
+    }
+
     /// Adds the internal forces of a cell to its nodes.
     template <int dim>
     void
@@ -50,6 +80,44 @@ namespace mpm_granular::Grid
         for (unsigned int d = 0; d < dim; ++d)
           sums[nodes[k]].force[d] += internal.force[d][k];
     }
+
+    /// Adds the mass and momentum of a cell to its nodes.
+    template <class Cell, int dim>
+    inline void
+    add_mass_and_momentum(const CellSums<Cell>                          &cell,
+                          const std::array<unsigned int, Cell::n_nodes> &nodes,
+                          std::vector<NodeSums<dim>>                    &sums)
+    {
+      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+        {
+          NodeSums<dim> &node = sums[nodes[k]];
+          for (unsigned int j = 0; j < Cell::n_nodes; ++j)
+            node.mass += cell.mass(k, j);
+          for (unsigned int d = 0; d < dim; ++d)
+            node.momentum[d] += cell.momentum[d][k];
+        }
+    }
+
+    /// In a tetrahedron with a lane for each node, then for mass and each
+    /// component of the momentum.
+    inline void
+    add_mass_and_momentum(const CellSums<Mesh::SimplexCell<3>> &cell,
+                          const std::array<unsigned int, 4>    &nodes,
+                          std::vector<NodeSums<3>>             &sums)
+    {
+      const double *mass        = cell.mass.entries.data();
+      Lanes         of_nodes[4] = {load<Lanes>(mass) + load<Lanes>(mass + 4) +
+                                     load<Lanes>(mass + 8) + load<Lanes>(mass + 12),
+                                   load<Lanes>(cell.momentum[0].data()),
+                                   load<Lanes>(cell.momentum[1].data()),
+                                   load<Lanes>(cell.momentum[2].data())};
+      transpose(of_nodes);
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          double *place = reinterpret_cast<double *>(&sums[nodes[k]]);
+          store(load<Lanes>(place) + of_nodes[k], place);
+        }
+    }
   } // namespace
 
   template <int dim>
@@ -87,14 +155,7 @@ namespace mpm_granular::Grid
              const std::array<unsigned int, Cell::n_nodes> &slots,
              std::vector<NodeSums<dim>>                    &sums)
     {
-      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-        {
-          NodeSums<dim> &node = sums[slots[k]];
-          for (unsigned int j = 0; j < Cell::n_nodes; ++j)
-            node.mass += of_cell.mass(k, j);
-          for (unsigned int d = 0; d < dim; ++d)
-            node.momentum[d] += of_cell.momentum[d][k];
-        }
+      Grid::add_mass_and_momentum(of_cell, slots, sums);
       Grid::add_forces(cell, of_cell.internal, slots, sums);
     }
   } // namespace

@@ -94,6 +94,7 @@ namespace mpm_granular::Grid
           n_active = std::max(n_active, slot + 1);
     values.resize(n_active * n_values);
     shared.clear();
+    std::vector<char> is_shared(n_active, false); // by slot
     is_first.assign(n_active, true);
     for (unsigned int k = 0; k < links.size(); ++k)
       {
@@ -111,7 +112,9 @@ namespace mpm_granular::Grid
               {
                 link.common.push_back(link.slots[i]);
                 link.place.push_back(is_sent ? place : not_sent);
-                shared.push_back(link.slots[i]);
+                if (!is_shared[link.slots[i]])
+                  shared.push_back(link.slots[i]);
+                is_shared[link.slots[i]] = true;
                 if (partition.neighbors()[k].rank < partition.rank)
                   is_first[link.slots[i]] = false;
               }
@@ -119,8 +122,6 @@ namespace mpm_granular::Grid
               place += n_values;
           }
       }
-    std::sort(shared.begin(), shared.end());
-    shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
     add_up(values.data(), n_values);
   }
 

@@ -1,10 +1,10 @@
 #include <deal.II/base/exceptions.h>
 
+#include <mpm_granular/core/lanes.h>
 #include <mpm_granular/core/vectorize.h>
 #include <mpm_granular/materials/strain_increments.h>
 
 #include <cmath>
-#include <cstring>
 
 namespace mpm_granular::Materials
 {
@@ -187,22 +187,18 @@ namespace mpm_granular::Materials
 
     // Whole groups are written at once, without a remainder. What lies beyond
     // the run is overwritten by the next one.
-    const auto fill_group = [](double *const column, const double value) {
-      static_assert(group == 4);
-      const std::array<double, group> values{{value, value, value, value}};
-      std::memcpy(column, values.data(), sizeof(values));
-    };
+    static_assert(group == Lanes::n);
     for (unsigned int r = 0; r < runs.size(); ++r)
       for (unsigned int i = runs[r].begin - first; i < runs[r].end - first;
            i += group)
         {
           for (unsigned int c = 0; c < rotation.size(); ++c)
-            fill_group(&rotation[c][i], of_runs.rotation[c][r]);
+            store(Lanes(of_runs.rotation[c][r]), &rotation[c][i]);
           for (unsigned int c = 0; c < deviatoric_strain.size(); ++c)
-            fill_group(&deviatoric_strain[c][i],
-                       of_runs.deviatoric_strain[c][r]);
-          fill_group(&volume_ratio[i], of_runs.volume_ratio[r]);
-          fill_group(&log_volume_ratio[i], of_runs.log_volume_ratio[r]);
+            store(Lanes(of_runs.deviatoric_strain[c][r]),
+                  &deviatoric_strain[c][i]);
+          store(Lanes(of_runs.volume_ratio[r]), &volume_ratio[i]);
+          store(Lanes(of_runs.log_volume_ratio[r]), &log_volume_ratio[i]);
         }
   }
 

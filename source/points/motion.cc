@@ -17,14 +17,18 @@ namespace mpm_granular::Points
             const unsigned int      begin,
             const unsigned int      end)
   {
+    const double                   *mass = points.mass.data();
+    std::array<const double *, dim> velocity;
+    for (unsigned int d = 0; d < dim; ++d)
+      velocity[d] = points.velocity[d].data();
     double energy = 0., fastest = 0.;
 #pragma omp simd reduction(+ : energy) reduction(max : fastest)
     for (unsigned int p = begin; p < end; ++p)
       {
-        double square = 0.;
-        for (unsigned int d = 0; d < dim; ++d)
-          square += points.velocity[d][p] * points.velocity[d][p];
-        energy += .5 * points.mass[p] * square;
+        double square = velocity[0][p] * velocity[0][p];
+        for (unsigned int d = 1; d < dim; ++d)
+          square += velocity[d][p] * velocity[d][p];
+        energy += .5 * mass[p] * square;
         fastest = std::max(fastest, square);
       }
     return {energy, fastest};

@@ -1,5 +1,6 @@
 #include <mpm_granular/points/point_arrays.h>
 
+#include <tuple>
 #include <type_traits>
 
 namespace mpm_granular::Points
@@ -17,8 +18,13 @@ namespace mpm_granular::Points
   void
   PointArrays<dim>::keep(const std::vector<unsigned int> &list)
   {
+    // One array of each type goes from one to the next: large ones that are
+    // allocated anew cost a page fault every 4 kB.
+    std::tuple<Array, std::vector<unsigned int>, std::vector<std::uint8_t>>
+      scratch;
     for_each_array([&](auto &array) {
-      typename std::remove_reference<decltype(array)>::type kept(list.size());
+      auto &kept = std::get<std::decay_t<decltype(array)>>(scratch);
+      kept.resize(list.size());
       for (std::size_t p = 0; p < list.size(); ++p)
         kept[p] = array[list[p]];
       array.swap(kept);

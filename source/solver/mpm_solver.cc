@@ -16,6 +16,7 @@ namespace mpm_granular::Solver
   MPMSolver<dim>::advance_one_step(const double    next_event,
                                    const Requests &requests)
   {
+    times.begin();
     if (adaptation.is_active())
       adapt_mesh();
     const double dt =
@@ -33,10 +34,12 @@ namespace mpm_granular::Solver
                                           current_time),
                                         boundary.constraints(),
                                         damping()};
+    times.end(StepTimes::nodes);
     move_and_strain(step); // (T11) to (T24)
     since_filter += dt;
     finish_step(dt, next_event, requests);
     keep_order();
+    times.end(StepTimes::rest);
   }
 
   template <int dim>
@@ -126,13 +129,16 @@ namespace mpm_granular::Solver
         double dissipated = 0.;
         momentum.map_velocity(fields, step.constraints); // (T15)
         averaging.find_gradients(fields);                // (T42)
+        times.end(StepTimes::momentum);
         on_this_rank(
           [&] { dissipated = sweep.strain(arrays, fields, step.time_step); });
+        times.end(StepTimes::points);
         fields.gather_forces();        // (T9)
         averaging.find_forces(fields); // (T41, T43)
         find_velocities(step);         // (T12, T14)
         count_lost_power(step.time_step);
         shift_positions(step);
+        times.end(StepTimes::momentum);
         on_this_rank([&] {
           result = sweep.move(arrays, fields, step.time_step, step.pic_factor);
         });
@@ -149,12 +155,15 @@ namespace mpm_granular::Solver
         averaging.find_gradients(fields); // (T42)
         count_lost_power(step.time_step);
         shift_positions(step);
+        times.end(StepTimes::momentum);
         on_this_rank([&] {
           result =
             sweep.advance(arrays, fields, step.time_step, step.pic_factor);
         });
       }
+    times.end(StepTimes::points);
     update_ledger(step, result);
+    times.end(StepTimes::ledger);
     on_this_rank([&] { check_points(result); });
     is_out_of_reach = result.relocation.is_out_of_reach;
     n_runs          = result.n_runs;

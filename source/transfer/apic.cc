@@ -98,7 +98,6 @@ namespace mpm_granular::Transfer
 
       auto &active = fields.template cells<Cell>();
       sum_by_cell<Momentum>(
-        points,
         block,
         [&](const unsigned int p, Momentum &sums) {
           if (points.cell[p] == Mesh::no_cell)

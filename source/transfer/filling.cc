@@ -31,7 +31,6 @@ namespace mpm_granular::Transfer
     using Parts = std::array<double, n_nodes>;
     parts.resize(fields.active_cells.size() * n_nodes);
     sum_by_cell<Parts>(
-      points,
       block,
       [&](const unsigned int p, Parts &sums) {
         const double volume =

@@ -81,7 +81,6 @@ namespace mpm_granular::Transfer
     using StressParts = std::array<std::array<double, n_nodes>, n_stress<dim>>;
     parts.resize(fields.active_cells.size() * n_parts);
     sum_by_cell<StressParts>(
-      points,
       block,
       [&](const unsigned int p, StressParts &sums) {
         double share[n_nodes];

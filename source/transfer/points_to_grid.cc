@@ -1,5 +1,7 @@
+#include <mpm_granular/core/lanes.h>
 #include <mpm_granular/transfer/points_to_grid.h>
-#include <mpm_granular/transfer/sum_by_cell.h>
+
+#include <algorithm>
 
 namespace mpm_granular::Transfer
 {
@@ -7,32 +9,206 @@ namespace mpm_granular::Transfer
 
   namespace
   {
+    /// What mass and momentum follow from, as raw pointers: loops that also
+    /// write to memory would read the vectors' pointers again and again.
+    template <int dim>
+    struct MovingPoints
+    {
+      MovingPoints(const Points::PointArrays<dim> &points,
+                   const PointBlock<dim>          &block)
+        : n_points(points.size())
+        , begin(block.begin)
+        , mass(points.mass.data())
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          velocity[d] = points.velocity[d].data();
+        for (unsigned int k = 0; k < shape_values.size(); ++k)
+          shape_values[k] = block.shape_values[k].data();
+      }
+
+      unsigned int                            n_points; ///< of all blocks
+      unsigned int                            begin;    ///< of the block
+      const double                           *mass;
+      std::array<const double *, dim>         velocity;
+      std::array<const double *, (1u << dim)> shape_values; ///< from begin on
+    };
+
+    /// Mass and momentum of some points of a cell.
     template <class Cell>
     struct MassAndMomentum
     {
+      static constexpr unsigned int n_nodes = Cell::n_nodes;
+
       Grid::CellMass<Cell> mass;
-      double               momentum[Cell::dim][Cell::n_nodes];
+      double               momentum[Cell::dim][n_nodes];
+
+      // The inner loops run over the nodes.
+      void
+      add(const MovingPoints<Cell::dim> &points, const Points::Run range)
+      {
+        for (unsigned int p = range.begin; p < range.end; ++p)
+          {
+            double shape_value[n_nodes], weighted[n_nodes];
+            for (unsigned int k = 0; k < n_nodes; ++k)
+              {
+                shape_value[k] = points.shape_values[k][p - points.begin];
+                weighted[k]    = points.mass[p] * shape_value[k];
+              }
+            mass.add(shape_value, weighted);
+            for (unsigned int d = 0; d < Cell::dim; ++d)
+              for (unsigned int k = 0; k < n_nodes; ++k)
+                momentum[d][k] += points.velocity[d][p] * weighted[k];
+          }
+      }
+
+      void
+      copy_to(Grid::CellSums<Cell> &total) const
+      {
+        total.mass = mass;
+        for (unsigned int d = 0; d < Cell::dim; ++d)
+          std::copy_n(momentum[d], n_nodes, total.momentum[d].begin());
+      }
+
+      void
+      add_to(Grid::CellSums<Cell> &total) const
+      {
+        total.mass += mass;
+        for (unsigned int d = 0; d < Cell::dim; ++d)
+          for (unsigned int k = 0; k < n_nodes; ++k)
+            total.momentum[d][k] += momentum[d][k];
+      }
     };
 
-    /// Adds V sigma of a point.
+    /// Of a tetrahedron, with a lane for each node.
+    template <>
+    struct MassAndMomentum<Mesh::SimplexCell<3>>
+    {
+      Lanes mass[4], momentum[3];
+
+      /// Four points at a time without a branch for each: lengths of ranges
+      /// cannot be predicted. Those that do not belong to the range have no
+      /// mass.
+      void
+      add(const MovingPoints<3> &points, const Points::Run range)
+      {
+        for (unsigned int p = range.begin; p < range.end; p += Lanes::n)
+          {
+            const unsigned int i         = p - points.begin;
+            const bool         is_last   = p + Lanes::n > points.n_points;
+            Lanes              of_points = 0.;
+            if (is_last)
+              for (unsigned int q = 0; p + q < range.end; ++q)
+                of_points.data[q] = points.mass[p + q];
+            else
+              of_points = first_of(load<Lanes>(points.mass + p), range.end - p);
+
+            Lanes weighted[4]; // lanes of points, then of nodes
+            for (unsigned int k = 0; k < 4; ++k)
+              weighted[k] = of_points * load<Lanes>(points.shape_values[k] + i);
+            transpose(weighted);
+
+            const unsigned int n = is_last ? points.n_points - p : Lanes::n;
+            if (n == Lanes::n)
+              for (unsigned int q = 0; q < Lanes::n; ++q)
+                add(points, p + q, weighted[q]);
+            else
+              for (unsigned int q = 0; q < n; ++q)
+                add(points, p + q, weighted[q]);
+          }
+      }
+
+      void
+      add(const MovingPoints<3> &points,
+          const unsigned int     p,
+          const Lanes           &weighted)
+      {
+        for (unsigned int k = 0; k < 4; ++k)
+          mass[k] += weighted * points.shape_values[k][p - points.begin];
+        for (unsigned int d = 0; d < 3; ++d)
+          momentum[d] += weighted * points.velocity[d][p];
+      }
+
+      void
+      copy_to(Grid::CellSums<Mesh::SimplexCell<3>> &total) const
+      {
+        for (unsigned int i = 0; i < 4; ++i)
+          store(mass[i], &total.mass.entries[4 * i]);
+        for (unsigned int d = 0; d < 3; ++d)
+          store(momentum[d], total.momentum[d].data());
+      }
+
+      void
+      add_to(Grid::CellSums<Mesh::SimplexCell<3>> &total) const
+      {
+        const auto add = [](const Lanes &sum, double *to) {
+          store(load<Lanes>(to) + sum, to);
+        };
+        for (unsigned int i = 0; i < 4; ++i)
+          add(mass[i], &total.mass.entries[4 * i]);
+        for (unsigned int d = 0; d < 3; ++d)
+          add(momentum[d], total.momentum[d].data());
+      }
+    };
+
+    /// The same for stresses.
+    template <int dim>
+    struct StressesOfPoints
+    {
+      StressesOfPoints(const Points::PointArrays<dim> &points)
+        : volume(points.volume.data())
+      {
+        for (unsigned int s = 0; s < n_stress<dim>; ++s)
+          stress[s] = points.stress[s].data();
+      }
+
+      const double                             *volume;
+      std::array<const double *, n_stress<dim>> stress;
+    };
+
+    /// Adds V sigma of points in sequence: four points at a time, then their
+    /// sum; of the last four only those that belong to them.
     template <int dim>
     inline void
     add_stress(const Mesh::SimplexCell<dim> &,
                const Points::PointArrays<dim>           &points,
-               const unsigned int                        p,
+               const StressesOfPoints<dim>              &of_points,
+               const Points::Run                         range,
                Grid::StressSums<Mesh::SimplexCell<dim>> &sums)
     {
-      for (unsigned int s = 0; s < n_stress<dim>; ++s)
-        sums.stress[s] += points.volume[p] * points.stress[s][p];
+      for (unsigned int p = range.begin; p < range.end; p += Lanes::n)
+        if (p + Lanes::n <= points.size())
+          {
+            const Lanes volume =
+              first_of(load<Lanes>(of_points.volume + p), range.end - p);
+            for (unsigned int s = 0; s < n_stress<dim>; s += Lanes::n)
+              {
+                // From lanes of points to lanes of components.
+                const unsigned int n = std::min(n_stress<dim> - s, Lanes::n);
+                Lanes              parts[Lanes::n];
+                for (unsigned int c = 0; c < Lanes::n; ++c)
+                  parts[c] =
+                    c < n ? volume * load<Lanes>(of_points.stress[s + c] + p) :
+                            Lanes(0.);
+                transpose(parts);
+                const Lanes sum = (parts[0] + parts[1]) + (parts[2] + parts[3]);
+                for (unsigned int c = 0; c < n; ++c)
+                  sums.stress[s + c] += sum.data[c];
+              }
+          }
+        else
+          for (unsigned int q = p; q < range.end; ++q)
+            for (unsigned int s = 0; s < n_stress<dim>; ++s)
+              sums.stress[s] += of_points.volume[q] * of_points.stress[s][q];
     }
 
     /// Adds the forces of a point.
     template <int dim>
     inline void
-    add_stress(const Mesh::BoxCell<dim>             &cell,
-               const Points::PointArrays<dim>       &points,
-               const unsigned int                    p,
-               Grid::StressSums<Mesh::BoxCell<dim>> &sums)
+    add_force(const Mesh::BoxCell<dim>             &cell,
+              const Points::PointArrays<dim>       &points,
+              const StressesOfPoints<dim>          &of_points,
+              const unsigned int                    p,
+              Grid::StressSums<Mesh::BoxCell<dim>> &sums)
     {
       using Cell = Mesh::BoxCell<dim>;
       double sigma[dim][dim];
@@ -40,7 +216,8 @@ namespace mpm_granular::Transfer
         {
           const unsigned int i = stress_index[s][0], j = stress_index[s][1];
           if (i < dim && j < dim)
-            sigma[i][j] = sigma[j][i] = points.volume[p] * points.stress[s][p];
+            sigma[i][j] = sigma[j][i] =
+              of_points.volume[p] * of_points.stress[s][p];
         }
       double flux[dim][dim]; // V sigma . g_d
       for (unsigned int i = 0; i < dim; ++i)
@@ -57,6 +234,18 @@ namespace mpm_granular::Transfer
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
             sums.force[i][k] -= flux[i][d] * derivatives[d][k];
     }
+
+    template <int dim>
+    inline void
+    add_stress(const Mesh::BoxCell<dim>             &cell,
+               const Points::PointArrays<dim>       &points,
+               const StressesOfPoints<dim>          &of_points,
+               const Points::Run                     range,
+               Grid::StressSums<Mesh::BoxCell<dim>> &sums)
+    {
+      for (unsigned int p = range.begin; p < range.end; ++p)
+        add_force(cell, points, of_points, p, sums);
+    }
   } // namespace
 
   template <int dim>
@@ -66,36 +255,21 @@ namespace mpm_granular::Transfer
                         const PointBlock<dim>           &block,
                         Grid::NodalFields<dim>          &fields)
   {
-    // The inner loops run over the nodes of the cell: four of them fill a SIMD
-    // register, whatever the length of the run.
     mesh.visit([&](const auto &cells) {
       using Cell = typename std::decay_t<decltype(cells)>::value_type;
-      constexpr unsigned int n_nodes = Cell::n_nodes;
-      auto                  &active  = fields.template cells<Cell>();
-      sum_by_cell<MassAndMomentum<Cell>>(
-        points,
-        block,
-        [&](const unsigned int p, MassAndMomentum<Cell> &sums) {
-          double shape_value[n_nodes], weighted[n_nodes];
-          for (unsigned int k = 0; k < n_nodes; ++k)
-            {
-              shape_value[k] = block.shape_values[k][p - block.begin];
-              weighted[k]    = points.mass[p] * shape_value[k];
-            }
-          sums.mass.add(shape_value, weighted);
-          for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int k = 0; k < n_nodes; ++k)
-              sums.momentum[d][k] += points.velocity[d][p] * weighted[k];
-        },
-        [&](const unsigned int cell, const MassAndMomentum<Cell> &sums) {
-          if (cell == Mesh::no_cell)
-            return;
-          Grid::CellSums<Cell> &total = fields.sums_of(active, cell);
-          total.mass += sums.mass;
-          for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int k = 0; k < n_nodes; ++k)
-              total.momentum[d][k] += sums.momentum[d][k];
-        });
+      auto                   &active = fields.template cells<Cell>();
+      const MovingPoints<dim> of_points(points, block);
+      for (const auto &part : block.parts)
+        if (part.cell != Mesh::no_cell)
+          {
+            MassAndMomentum<Cell> sums{};
+            sums.add(of_points, part.points);
+            // A new cell is not read right after it was written, which would
+            // have to wait for the writing: 3 % of a step.
+            const bool is_new = !fields.is_active_cell(part.cell);
+            auto      &total  = fields.sums_of(active, part.cell);
+            is_new ? sums.copy_to(total) : sums.add_to(total);
+          }
     });
   }
 
@@ -107,21 +281,17 @@ namespace mpm_granular::Transfer
              Grid::NodalFields<dim>          &fields)
   {
     mesh.visit([&](const auto &cells) {
-      using Cell   = typename std::decay_t<decltype(cells)>::value_type;
-      using Sums   = Grid::StressSums<Cell>;
-      auto &active = fields.template cells<Cell>();
-      sum_by_cell<Sums>(
-        points,
-        block,
-        [&](const unsigned int p, Sums &sums) {
-          if (points.cell[p] != Mesh::no_cell)
-            add_stress(cells[points.cell[p]], points, p, sums);
-        },
-        [&](const unsigned int cell, const Sums &sums) {
-          if (cell == Mesh::no_cell)
-            return;
-          fields.sums_of(active, cell).internal += sums;
-        });
+      using Cell = typename std::decay_t<decltype(cells)>::value_type;
+      using Sums = Grid::StressSums<Cell>;
+      auto                       &active = fields.template cells<Cell>();
+      const StressesOfPoints<dim> of_points(points);
+      for (const auto &part : block.parts)
+        if (part.cell != Mesh::no_cell)
+          {
+            Sums sums{};
+            add_stress(cells[part.cell], points, of_points, part.points, sums);
+            fields.sums_of(active, part.cell).internal += sums;
+          }
     });
   }
 

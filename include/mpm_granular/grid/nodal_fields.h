@@ -33,6 +33,7 @@ namespace mpm_granular::Grid
     dealii::Tensor<1, dim> velocity;  ///< after the step, moves points (T13)
     dealii::Tensor<1, dim> change;    ///< added to the points' velocity (T14)
     dealii::Tensor<1, dim> straining; ///< whose gradient strains points (T15)
+    double unused = 0.; ///< so that four numbers can be read from the last
   };
 
   template <int dim>

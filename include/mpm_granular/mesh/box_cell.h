@@ -56,29 +56,46 @@ namespace mpm_granular::Mesh
     std::array<unsigned int, n_faces>        neighbor; ///< cell behind face f
 
     /// Where @p x is in the unit cube.
-    std::array<double, dim>
-    unit_coordinates(const dealii::Point<dim> &x) const
+    template <class Number>
+    std::array<Number, dim>
+    unit_coordinates(const std::array<Number, dim> &x) const
     {
-      std::array<double, dim> xi;
+      std::array<Number, dim> xi;
       for (unsigned int d = 0; d < dim; ++d)
         {
-          xi[d] = 0.;
-          for (unsigned int j = 0; j < dim; ++j)
+          xi[d] = gradient[d][0] * (x[0] - origin[0]);
+          for (unsigned int j = 1; j < dim; ++j)
             xi[d] += gradient[d][j] * (x[j] - origin[j]);
         }
       return xi;
     }
 
-    /// Values of the shape functions at a place of the unit cube.
-    static std::array<double, n_nodes>
-    values_at(const std::array<double, dim> &xi)
+    std::array<double, dim>
+    unit_coordinates(const dealii::Point<dim> &x) const
     {
-      std::array<double, n_nodes> values;
-      for (unsigned int k = 0; k < n_nodes; ++k)
+      std::array<double, dim> components;
+      for (unsigned int d = 0; d < dim; ++d)
+        components[d] = x[d];
+      return unit_coordinates(components);
+    }
+
+    /// Values of the shape functions at a place of the unit cube, products of
+    /// xi_d and 1 - xi_d; each direction doubles their number.
+    template <class Number>
+    static std::array<Number, n_nodes>
+    values_at(const std::array<Number, dim> &xi)
+    {
+      std::array<Number, n_nodes> values;
+      values[0] = 1.;
+      for (unsigned int d = 0; d < dim; ++d)
         {
-          values[k] = 1.;
-          for (unsigned int d = 0; d < dim; ++d)
-            values[k] *= is_upper(k, d) ? xi[d] : 1. - xi[d];
+          const Number       rest = 1. - xi[d];
+          const unsigned int half = 1u << d;
+          for (unsigned int k = 0; k < half; ++k)
+            {
+              values[k + half] = values[k] * xi[d];
+              values[k]        = values[k] * rest;
+            }
         }
       return values;
     }

@@ -7,6 +7,7 @@
 #include <mpm_granular/points/material_points.h>
 #include <mpm_granular/solver/agreement.h>
 #include <mpm_granular/solver/run_parameters.h>
+#include <mpm_granular/solver/step_times.h>
 #include <mpm_granular/solver/sweep.h>
 #include <mpm_granular/transfer/nodal_pressure.h>
 
@@ -231,6 +232,13 @@ namespace mpm_granular::Solver
       return changes;
     }
 
+    /// Of advance_one_step(), on this rank.
+    const StepTimes &
+    step_times() const
+    {
+      return times;
+    }
+
     /// Remarks on the input that do not stop a run.
     const std::vector<std::string> &
     warnings() const
@@ -367,6 +375,7 @@ namespace mpm_granular::Solver
     unsigned int last_adaptation = 0;  ///< step
     double       displacement    = 0.; ///< since then, at most [m]
     MeshChanges  changes;
+    StepTimes    times;
   };
 } // namespace mpm_granular::Solver
 

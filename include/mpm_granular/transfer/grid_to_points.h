@@ -16,7 +16,7 @@ namespace mpm_granular::Transfer
   void
   move_points(const Mesh::BackgroundMesh<dim> &mesh,
               const Grid::NodalFields<dim>    &fields,
-              const PointBlock<dim>           &block,
+              PointBlock<dim>                 &block,
               const double                     time_step,
               const double                     pic_factor,
               Points::PointArrays<dim>        &points);

@@ -29,9 +29,36 @@ namespace mpm_granular::Transfer
     std::vector<dealii::Tensor<2, dim>> gradients;
     std::vector<Points::Run>            strained;
 
+    /// Points in sequence that have come to the same cell, perhaps
+    /// Mesh::no_cell: mostly whole runs.
+    struct Part
+    {
+      unsigned int cell;
+      Points::Run  points;
+    };
+
+    std::vector<Part>         parts;  ///< set by relocate()
+    std::vector<unsigned int> movers; ///< the points that have left their cells
+
+    /// Sets the parts from the movers.
+    void
+    find_parts(const Points::PointArrays<dim> &points);
+
+    /// Kernels compute with whole groups of points that begin at the first of a
+    /// run. What they write beyond the run's end is overwritten by the next
+    /// run; so arrays of the block have room for a group more.
+    using Array = std::vector<double>;
+
     /// Shape values of the points at their new places, by node and place in the
     /// block; as many as the cells have nodes are used.
-    std::array<std::vector<double>, (1u << dim)> shape_values;
+    std::array<Array, (1u << dim)> shape_values;
+
+    /// Height of the points above the nearest face of their old cells, in
+    /// heights of the cell.
+    Array heights;
+
+    /// What becomes of the points, until it is copied to them.
+    std::array<Array, dim> position, velocity;
 
     unsigned int begin = 0; ///< first point
     unsigned int end   = 0; ///< past the last point

@@ -8,7 +8,7 @@ namespace mpm_granular::Transfer
 {
   /**
    * Adds mass and momentum of the block's points to the sums of their host
-   * cells (T9), with the block's shape values. Points whose cell is
+   * cells (T9), with the block's shape values and parts. Points whose cell is
    * Mesh::no_cell are left out.
    */
   template <int dim>

@@ -6,9 +6,8 @@
 namespace mpm_granular::Transfer
 {
   /**
-   * Sums contributions of the points of a block by cell: points that are in the
-   * same cell as the one before add to local sums, which go to the cell when it
-   * changes.
+   * Sums contributions of the points of a block by cell: points in sequence
+   * that are in the same cell add to local sums, which then go to the cell.
    *
    * @tparam Sums what is summed for a cell.
    * @param contribute contribute(p, sums) adds point p.
@@ -17,26 +16,16 @@ namespace mpm_granular::Transfer
    */
   template <class Sums, int dim, class Contribute, class Store>
   void
-  sum_by_cell(const Points::PointArrays<dim> &points,
-              const PointBlock<dim>          &block,
-              Contribute                    &&contribute,
-              Store                         &&store)
+  sum_by_cell(const PointBlock<dim> &block,
+              Contribute           &&contribute,
+              Store                &&store)
   {
-    for (const auto &run : block.runs)
+    for (const auto &part : block.parts)
       {
-        Sums         sums{};
-        unsigned int current = points.cell[run.begin];
-        for (unsigned int p = run.begin; p < run.end; ++p)
-          {
-            if (points.cell[p] != current)
-              {
-                store(current, sums);
-                sums    = Sums{};
-                current = points.cell[p];
-              }
-            contribute(p, sums);
-          }
-        store(current, sums);
+        Sums sums{};
+        for (unsigned int p = part.points.begin; p < part.points.end; ++p)
+          contribute(p, sums);
+        store(part.cell, sums);
       }
   }
 } // namespace mpm_granular::Transfer
