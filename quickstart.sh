@@ -8,7 +8,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 packages=(
   g++ cmake ninja-build ccache git                       # build
   libdeal.ii-dev libboost-program-options-dev
-  numdiff perl gmsh valgrind                             # tests
+  numdiff perl gmsh                                      # tests
   python3 python3-numpy python3-matplotlib python3-vtk9  # pictures, tests
 )
 cases=(wall wall_2d)
