@@ -52,11 +52,11 @@ namespace mpm_granular::Output
     unsigned int n_redistributions = 0;  ///< of cells among the ranks
     unsigned int n_adaptations     = 0;  ///< of the mesh
     double       adaptation_time   = 0.; ///< wall time of these [s]
-    double       set_up_time       = 0.; ///< wall time of making mesh and points
-    double       loop_time         = 0.; ///< wall time without output [s]
-    double       peak_memory       = 0.; ///< of all processes [bytes]
-    double       throughput        = 0.; ///< million point-steps/s
-    double       bytes_per_point   = 0.;
+    double       set_up_time     = 0.; ///< wall time of making mesh and points
+    double       loop_time       = 0.; ///< wall time without output [s]
+    double       peak_memory     = 0.; ///< of all processes [bytes]
+    double       throughput      = 0.; ///< million point-steps/s
+    double       bytes_per_point = 0.;
 
     /// Where the run was continued from, each time.
     std::vector<std::string> resumed;

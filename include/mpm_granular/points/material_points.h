@@ -106,8 +106,8 @@ namespace mpm_granular::Points
     std::size_t
     send_home();
 
-    /// Moves points that round-off has brought beyond the boundary onto it: with
-    /// smaller cells they would count as lost.
+    /// Moves points that round-off has brought beyond the boundary onto it:
+    /// with smaller cells they would count as lost.
     void
     pull_inside();
 
