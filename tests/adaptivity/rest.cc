@@ -132,11 +132,14 @@ test(const std::string              &cells,
 
   Body<dim>   body(cells);
   std::string text = std::to_string(dim) + "D, " + cells + ", " + name + ":";
+  // Points on diagonal faces of tetrahedra are on one side or the other by
+  // round-off; without layers that decides how many cells there are.
+  const bool has_ties = dim == 3 && cells == "simplices" && name == "no layers";
   for (const double center : {.3, .33, .7})
     {
       text += " " + body.adapt(adaptation, center);
-      text +=
-        (adaptation.is_limited() ? " (limited)" : "") + body.report() + ";";
+      text += (adaptation.is_limited() ? " (limited)" : "") +
+              (has_ties ? "" : body.report()) + ";";
     }
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::cout << text << std::endl;
