@@ -18,6 +18,7 @@ namespace mpm_granular::Solver
       speed_squared,
       kinetic_energy,
       n_points,
+      n_runs,
       is_out_of_reach,
       wants_stop,
       wants_checkpoint,
@@ -30,6 +31,7 @@ namespace mpm_granular::Solver
     values[speed_squared]    = report.motion.speed_squared;
     values[kinetic_energy]   = report.motion.kinetic_energy;
     values[n_points]         = report.n_points;
+    values[n_runs]           = report.n_runs;
     values[is_out_of_reach]  = report.is_out_of_reach;
     values[wants_stop]       = report.requests.stop;
     values[wants_checkpoint] = report.requests.checkpoint;
@@ -52,6 +54,7 @@ namespace mpm_granular::Solver
                                  std::sqrt(all[speed_squared].max)};
     agreement.kinetic_energy  = all[kinetic_energy].sum;
     agreement.n_points        = all[n_points].sum;
+    agreement.n_runs          = all[n_runs].sum;
     agreement.imbalance       = all[n_points].max / all[n_points].avg - 1.;
     agreement.is_out_of_reach = all[is_out_of_reach].max > 0.;
     agreement.requests        = {all[wants_stop].max > 0.,

@@ -38,7 +38,6 @@ namespace mpm_granular::Solver
     move_and_strain(step); // (T11) to (T24)
     since_filter += dt;
     finish_step(dt, next_event, requests);
-    keep_order();
     times.end(StepTimes::rest);
   }
 
@@ -56,6 +55,7 @@ namespace mpm_granular::Solver
     current_time        = std::abs(missed) < 1e-12 * time_step ?
                             next_event :
                             current_time + time_step;
+    keep_order();
     balance();
   }
 
@@ -247,11 +247,12 @@ namespace mpm_granular::Solver
   MPMSolver<dim>::keep_order()
   {
     // Points that cross cells break runs up; ordering costs less than it gains
-    // when there are this many more runs than in order (measured).
+    // when there are this many more runs than in order (measured). All ranks
+    // order at the same step, or each would wait for the others in turn.
     constexpr double too_many = 1.2;
     if (n_runs_in_order == 0)
-      n_runs_in_order = n_runs;
-    else if (n_runs > too_many * n_runs_in_order)
+      n_runs_in_order = agreement.n_runs;
+    else if (agreement.n_runs > too_many * n_runs_in_order)
       {
         points.order();
         n_runs_in_order = 0;
@@ -275,6 +276,7 @@ namespace mpm_granular::Solver
     report.critical_step *= std::sqrt(parameters.momentum.mass_scaling);
     report.motion          = motion;
     report.n_points        = points.arrays().size();
+    report.n_runs          = n_runs;
     report.is_out_of_reach = is_out_of_reach;
     report.requests        = requests;
     report.error           = error;

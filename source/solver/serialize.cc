@@ -71,7 +71,7 @@ namespace mpm_granular::Solver
         serialize_summed(archive, "kinetic_energy", motion.kinetic_energy);
         serialize_summed(archive, "speed_squared", motion.speed_squared);
         serialize_summed(archive, "n_runs", n_runs);
-        serialize_summed(archive, "n_runs_in_order", n_runs_in_order);
+        archive.replicated("solver/n_runs_in_order", n_runs_in_order);
       }
     else
       {

@@ -25,6 +25,7 @@ namespace mpm_granular::Solver
     double         least_altitude; ///< of its active cells [m]
     Points::Motion motion;         ///< of its points
     std::uint64_t  n_points;
+    std::uint64_t  n_runs;          ///< of points in the same cell, see Sweep
     bool           is_out_of_reach; ///< a point has to go to another rank
     Requests       requests;
     std::string    error; ///< why it cannot go on; empty if it can
@@ -36,6 +37,7 @@ namespace mpm_granular::Solver
     Time::StepLimits limits;
     double           kinetic_energy = 0.; ///< [J], in 2D [J/m]
     std::uint64_t    n_points       = 0;  ///< on all ranks
+    std::uint64_t    n_runs         = 0;  ///< on all ranks
     double           imbalance      = 0.; ///< most points over the mean, less 1
     bool             is_out_of_reach = false;
     Requests         requests; ///< of any rank

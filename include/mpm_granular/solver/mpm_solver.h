@@ -364,7 +364,7 @@ namespace mpm_granular::Solver
     unsigned int              n_steps         = 0;
     std::size_t               n_lost          = 0;
     std::size_t               n_runs          = 0; ///< of the last sweep
-    std::size_t               n_runs_in_order = 0;
+    std::size_t               n_runs_in_order = 0; ///< on all ranks
 
     Unrest       unrest;
     Agreement    agreement;
