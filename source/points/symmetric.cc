@@ -1,11 +1,13 @@
 #include <deal.II/base/quadrature_lib.h>
 
+#include <mpm_granular/points/cell_pattern.h>
 #include <mpm_granular/points/symmetric.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace mpm_granular::Points
@@ -162,36 +164,14 @@ namespace mpm_granular::Points
                         const RegionShape<dim>          &shape,
                         const std::string & /*input_file*/) const
   {
-    const ShapeValues layout = mesh.visit([&](const auto &cells) {
+    CellPattern pattern;
+    mesh.visit([&](const auto &cells) {
       const typename std::decay_t<decltype(cells)>::value_type kind{};
-      const auto  valid = valid_numbers(kind);
-      std::string numbers;
-      for (const unsigned int number : valid)
-        numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
-      require(std::find(valid.begin(), valid.end(), points_per_cell) !=
-                valid.end(),
-              "'Points per cell' must be one of " + numbers + " in " +
-                Mesh::name_of_cells(mesh.cell_kind(), dim) +
-                "; given: " + std::to_string(points_per_cell) + ".");
-      return shape_values(kind, points_per_cell);
+      check_points_per_cell(points_per_cell, valid_numbers(kind), mesh);
+      for (auto &values : shape_values(kind, points_per_cell))
+        pattern.places.push_back({std::move(values), 1. / points_per_cell});
     });
-
-    std::vector<Seed<dim>> seeds;
-    for (unsigned int cell = 0; cell < mesh.n_own_cells(); ++cell)
-      for (unsigned int i = 0; i < layout.size(); ++i)
-        {
-          const auto nodes = mesh.nodes(cell);
-          Point<dim> x;
-          for (unsigned int k = 0; k < nodes.size(); ++k)
-            x += layout[i][k] * mesh.node_position(nodes[k]);
-          if (shape.contains(x, cell))
-            seeds.push_back(
-              {x,
-               cell,
-               mesh.cell_volume(cell) / layout.size(),
-               std::uint64_t(mesh.global_cell(cell)) * layout.size() + i});
-        }
-    return seeds;
+    return repeat(pattern, mesh, shape);
   }
 
   template class Symmetric<2>;

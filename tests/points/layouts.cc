@@ -1,6 +1,6 @@
 // Points of a region: volumes add up to the region's, symmetric layouts
 // integrate linear functions exactly and, from 3 (2D) or 4 (3D) points on,
-// those of degree two as far as they claim.
+// those of degree two as far as they claim; Gauss points all but single ones.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -29,19 +29,19 @@ fill(const Mesh::BackgroundMesh<dim> &mesh, const std::string &entries)
   return region.fill(mesh, "");
 }
 
+/// Integrals over the unit box by points of a layout: of x_0 it is 1/2.
 template <int dim>
 void
-test(const Mesh::MeshSource<dim>     &source,
-     const std::vector<unsigned int> &points_per_cell)
+integrate(const Mesh::BackgroundMesh<dim> &mesh,
+          const std::string               &layout,
+          const std::vector<unsigned int> &points_per_cell)
 {
-  const Mesh::BackgroundMesh<dim> mesh(source, "");
-
-  // Integrals over the unit box: of x_0 it is 1/2.
   for (const unsigned int n : points_per_cell)
     {
       double     volume = 0., first = 0., second = 0.;
-      const auto seeds =
-        fill(mesh, "set Points per cell = " + std::to_string(n));
+      const auto seeds = fill(mesh,
+                              "set Layout = " + layout +
+                                "\nset Points per cell = " + std::to_string(n));
       for (const auto &seed : seeds)
         {
           volume += seed.volume;
@@ -52,6 +52,30 @@ test(const Mesh::MeshSource<dim>     &source,
                 << " per cell: " << seeds.size() / double(mesh.n_cells())
                 << ", volume " << volume << ", x " << first << ", x^2 exact "
                 << (std::abs(second - 1. / 3.) < 1e-12) << std::endl;
+    }
+}
+
+template <int dim>
+void
+test(const Mesh::MeshSource<dim>     &source,
+     const std::vector<unsigned int> &points_per_cell,
+     const std::vector<unsigned int> &gauss_points)
+{
+  const Mesh::BackgroundMesh<dim> mesh(source, "");
+  integrate(mesh, "symmetric", points_per_cell);
+  if (gauss_points.empty())
+    try
+      {
+        integrate(mesh, "Gauss", {4});
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+  else
+    {
+      std::cout << "Gauss" << std::endl;
+      integrate(mesh, "Gauss", gauss_points);
     }
 
   const std::string spacing = dim == 2 ? "0.1, 0.2" : "0.1, 0.2, 0.25";
@@ -101,10 +125,10 @@ int
 main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test<2>(JitteredBox<2>(3), {1, 3, 4, 9, 16});
-  test<3>(JitteredBox<3>(3), {1, 4, 8, 16});
-  test<2>(BoxMesh<2>("hypercubes", 3), {1, 4, 9, 16});
-  test<3>(BoxMesh<3>("hypercubes", 3), {1, 8, 27, 64});
+  test<2>(JitteredBox<2>(3), {1, 3, 4, 9, 16}, {});
+  test<3>(JitteredBox<3>(3), {1, 4, 8, 16}, {});
+  test<2>(BoxMesh<2>("hypercubes", 3), {1, 4, 9, 16}, {1, 4, 9});
+  test<3>(BoxMesh<3>("hypercubes", 3), {1, 8, 27, 64}, {1, 8, 27});
 
   try
     {

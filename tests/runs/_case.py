@@ -76,6 +76,24 @@ subsection Points
 end"""
 
 
+def levels(expression, maximum, interval=1):
+    """The section Adaptive mesh with levels by place and time."""
+    return f"""
+subsection Adaptive mesh
+  set Names                 = somewhere
+  set Maximum level         = {maximum}
+  set Interval              = {interval}
+  set Interval displacement = 0
+  set Buffer layers         = 0
+  set Kept layers           = 0
+  subsection somewhere
+    set Type  = region
+    set Level = {expression}
+  end
+end
+"""
+
+
 def boundaries(**conditions):
     """The section Boundary conditions: type=(names of boundaries)."""
     text = "\nsubsection Boundary conditions\n"
