@@ -63,10 +63,9 @@ namespace mpm_granular::Solver
   void
   MPMSolver<dim>::smooth_pressures()
   {
-    // Noise grows over many steps; filtering every tenth costs little.
-    constexpr unsigned int interval = 10;
-    if (!parameters.transfer.filters_pressure() || n_steps % interval != 0 ||
-        since_filter == 0.)
+    // Noise grows over some steps; a fifth of it at a time costs little.
+    constexpr double part = 0.2;
+    if (parameters.transfer.filter_fraction(since_filter) < part)
       return;
     ledger.filter_loss +=
       sweep.smooth_pressures(points.arrays(),

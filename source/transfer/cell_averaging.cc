@@ -4,6 +4,7 @@
 #include <mpm_granular/transfer/stress_power.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace mpm_granular::Transfer
 {
@@ -60,22 +61,23 @@ namespace mpm_granular::Transfer
   void
   CellAveraging<dim>::find_forces(Grid::NodalFields<dim> &fields)
   {
-    auto &active = fields.template cells<Mesh::SimplexCell<dim>>();
     factors.assign(fields.active_cells.size(), 1.);
-    for (unsigned int c = 0; c < fields.active_cells.size(); ++c)
-      {
-        const auto is_full = [&](const unsigned int node) {
-          return filling.fraction(fields, node) > Filling<dim>::full;
-        };
-        const double volume = filling.of_cell(c);
-        if (volume == 0. || !std::all_of(active.nodes[c].begin(),
-                                         active.nodes[c].end(),
-                                         is_full))
-          continue;
-        factors[c] = mesh->cell_volume(fields.active_cells[c]) / volume;
-        for (double &component : active.sums[c].internal.stress)
-          component *= factors[c];
-      }
+    const auto is_full = [&](const unsigned int node) {
+      return filling.fraction(fields, node) > Filling<dim>::full;
+    };
+    mesh->visit([&](const auto &cells) {
+      using Cell   = typename std::decay_t<decltype(cells)>::value_type;
+      auto &active = fields.template cells<Cell>();
+      for (unsigned int c = 0; c < factors.size(); ++c)
+        {
+          const auto  &nodes  = active.nodes[c];
+          const double volume = filling.of_cell(c);
+          if (volume == 0. || !std::all_of(nodes.begin(), nodes.end(), is_full))
+            continue;
+          factors[c] = mesh->cell_volume(fields.active_cells[c]) / volume;
+          active.sums[c].internal *= factors[c];
+        }
+    });
     fields.gather_forces();
   }
 
@@ -92,18 +94,18 @@ namespace mpm_granular::Transfer
   double
   CellAveraging<dim>::lost_power(const Grid::NodalFields<dim> &fields) const
   {
-    using Cell         = Mesh::SimplexCell<dim>;
-    const auto &cells  = mesh->template cells<Cell>();
-    const auto &active = fields.template cells<Cell>();
-    double      power  = 0.;
-    for (unsigned int c = 0; c < factors.size(); ++c)
-      if (factors[c] != 1.)
-        power +=
-          (1. - 1. / factors[c]) *
-          stress_power<dim>(active.sums[c].internal.stress,
-                            straining_gradient(cells[fields.active_cells[c]],
-                                               active.nodes[c],
-                                               fields));
+    double power = 0.;
+    mesh->visit([&](const auto &cells) {
+      using Cell         = typename std::decay_t<decltype(cells)>::value_type;
+      const auto &active = fields.template cells<Cell>();
+      for (unsigned int c = 0; c < factors.size(); ++c)
+        if (factors[c] != 1.)
+          power +=
+            (1. - 1. / factors[c]) * stress_power(active.sums[c].internal,
+                                                  cells[fields.active_cells[c]],
+                                                  active.nodes[c],
+                                                  fields);
+    });
     return power;
   }
 

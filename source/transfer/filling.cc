@@ -2,6 +2,7 @@
 #include <mpm_granular/transfer/sum_by_cell.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace mpm_granular::Transfer
 {
@@ -13,22 +14,24 @@ namespace mpm_granular::Transfer
                        const Mesh::Partition<dim>      &new_partition,
                        const std::vector<double>       &new_largest)
   {
-    require(new_mesh.cell_kind() == Mesh::CellKind::simplex,
-            "Scheme/Averaging: means over cells or nodes are made on simplices "
-            "only; on hypercubes it must be 'none'.");
-    mesh                    = &new_mesh;
-    partition               = &new_partition;
+    mesh      = &new_mesh;
+    partition = &new_partition;
+    mesh->visit([&](const auto &cells) {
+      n_nodes = std::decay_t<decltype(cells)>::value_type::n_nodes;
+    });
     largest_specific_volume = new_largest;
     clear();
   }
 
   template <int dim>
+  template <class Cell>
   void
-  Filling<dim>::add(const Points::PointArrays<dim> &points,
-                    const PointBlock<dim>          &block,
-                    const Grid::NodalFields<dim>   &fields)
+  Filling<dim>::add_in(const Points::PointArrays<dim> &points,
+                       const PointBlock<dim>          &block,
+                       const Grid::NodalFields<dim>   &fields)
   {
-    using Parts = std::array<double, n_nodes>;
+    constexpr unsigned int n_nodes = Cell::n_nodes;
+    using Parts                    = std::array<double, n_nodes>;
     parts.resize(fields.active_cells.size() * n_nodes);
     sum_by_cell<Parts>(
       block,
@@ -51,19 +54,35 @@ namespace mpm_granular::Transfer
 
   template <int dim>
   void
+  Filling<dim>::add(const Points::PointArrays<dim> &points,
+                    const PointBlock<dim>          &block,
+                    const Grid::NodalFields<dim>   &fields)
+  {
+    mesh->visit([&](const auto &cells) {
+      add_in<typename std::decay_t<decltype(cells)>::value_type>(points,
+                                                                 block,
+                                                                 fields);
+    });
+  }
+
+  template <int dim>
+  void
   Filling<dim>::sum(Grid::NodalFields<dim> &fields)
   {
     parts.resize(fields.active_cells.size() * n_nodes);
     fields.find_shared_cells(parts, n_nodes);
 
-    const auto &active = fields.template cells<Cell>();
     fractions.assign(fields.n_active_nodes(), 0.);
-    for (unsigned int c = 0; c < fields.active_cells.size(); ++c)
-      if (partition->is_owned(fields.active_cells[c]))
-        for (unsigned int k = 0; k < n_nodes; ++k)
-          fields.hanging.add_at(fractions,
-                                active.nodes[c][k],
-                                parts[c * n_nodes + k]);
+    mesh->visit([&](const auto &cells) {
+      using Cell         = typename std::decay_t<decltype(cells)>::value_type;
+      const auto &active = fields.template cells<Cell>();
+      for (unsigned int c = 0; c < fields.active_cells.size(); ++c)
+        if (partition->is_owned(fields.active_cells[c]))
+          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+            fields.hanging.add_at(fractions,
+                                  active.nodes[c][k],
+                                  parts[c * n_nodes + k]);
+    });
     fields.shared.sum(fractions.data(), 1);
     for (unsigned int i = 0; i < fractions.size(); ++i)
       fractions[i] /= mesh->node_volume(fields.active_nodes[i]);

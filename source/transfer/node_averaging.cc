@@ -29,6 +29,9 @@ namespace mpm_granular::Transfer
                              const Mesh::Partition<dim>      &new_partition,
                              const std::vector<double> &largest_specific_volume)
   {
+    require(new_mesh.cell_kind() == Mesh::CellKind::simplex,
+            "Scheme/Averaging: means around nodes are made on simplices only; "
+            "on hypercubes it must be 'none' or 'cells'.");
     mesh      = &new_mesh;
     partition = &new_partition;
     filling.reinit(*mesh, *partition, largest_specific_volume);

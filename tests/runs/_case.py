@@ -1,7 +1,9 @@
 """Runs small cases for other tests, which import this file."""
 
 import csv
+import json
 import math
+import os
 import pathlib
 import sys
 
@@ -31,7 +33,7 @@ KINDS = ("simplices", "hypercubes")
 SQUARES = ["Mesh/Source=box", "Mesh/Cells=hypercubes", "Mesh/Lower corner=0, 0",
            "Mesh/Upper corner=4, 2.2", "Mesh/Subdivisions=80, 44",
            "Points/wall/Shape=box", "Points/wall/Lower corner=0, 0",
-           "Points/wall/Upper corner=1, 2"]
+           "Points/wall/Upper corner=1, 2", "Scheme/Pressure filter rate=300"]
 
 
 def box(dim, lower, upper, subdivisions, cells="simplices"):
@@ -126,12 +128,17 @@ set End time  = 2
 
 
 class Result:
-    """The table of observables of a run, and what it said."""
+    """The table of observables of a run, its manifest, and what it said."""
 
     def __init__(self, process, folder):
         self.exit_code = process.returncode
         self.text = process.stdout + process.stderr
+        self.errors = [line for line in process.stderr.splitlines()
+                       if "mpm_granular: error" in line]
         self.columns = {}
+        manifest = folder / "manifest.json"
+        self.manifest = (json.loads(manifest.read_text(encoding="utf8"))
+                         if manifest.exists() else {})
         table = folder / "observables.csv"
         if table.exists():
             with open(table, encoding="utf8") as file:
@@ -152,7 +159,12 @@ class Result:
         return self.columns[column][index]
 
 
-def run(text_or_file, *settings):
+def on_ranks(ranks):
+    """What to put before the program to run it on several processes."""
+    return [os.environ["MPM_MPIEXEC"], "-np", str(ranks)] if ranks > 1 else []
+
+
+def run(text_or_file, *settings, ranks=1):
     """Runs a text of parameters or a shipped file, with `--set` settings."""
     with Folder() as folder:
         if isinstance(text_or_file, pathlib.Path):
@@ -161,7 +173,8 @@ def run(text_or_file, *settings):
             file = folder.path / "case.prm"
             file.write_text(text_or_file, encoding="utf8")
         options = [word for setting in settings for word in ("--set", setting)]
-        process = folder.run(file, "--output", "out", *options)
+        process = folder.run(file, "--output", "out", *options,
+                             before=on_ranks(ranks))
         result = Result(process, folder.path / "out")
         result.files = folder.files()
         return result

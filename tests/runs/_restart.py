@@ -12,7 +12,8 @@ import signal
 import subprocess
 import time
 
-from _case import (Checks, Folder, body, boundaries, box, points_per_cell)
+from _case import (Checks, Folder, body, boundaries, box, on_ranks,
+                   points_per_cell)
 from _program import PROGRAM, TIME_LIMIT
 
 checks = Checks()
@@ -71,8 +72,7 @@ class Case:
 
     def before(self):
         """What is put in front of the program."""
-        return [os.environ["MPM_MPIEXEC"], "-np", str(self.ranks)
-                ] if self.ranks > 1 else []
+        return on_ranks(self.ranks)
 
     def run(self, *arguments, expected=0):
         """Runs to the end."""

@@ -2,32 +2,13 @@
 steps, the same deposit; the load stays even; an error on one process ends all of
 them with one message and the exit code."""
 
-import json
 import os
 
-from _case import (ELASTIC, INPUTS, KINDS, SQUARES, Checks, Folder, Result,
-                   body, boundaries, box, escaping_body)
+from _case import (ELASTIC, INPUTS, KINDS, SQUARES, Checks, body, boundaries, box,
+                   escaping_body, run)
 
 checks = Checks()
 IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
-
-
-def run(ranks, file, *settings):
-    """Like _case.run(), on several processes; with the manifest."""
-    with Folder() as folder:
-        if not hasattr(file, "suffix"):
-            (folder.path / "case.prm").write_text(file, encoding="utf8")
-            file = "case.prm"
-        options = [word for setting in settings for word in ("--set", setting)]
-        process = folder.run(file, "--output", "out", *options, before=[
-            os.environ["MPM_MPIEXEC"], "-np", str(ranks)])
-        result = Result(process, folder.path / "out")
-        manifest = folder.path / "out" / "manifest.json"
-        result.manifest = (json.loads(manifest.read_text())
-                           if manifest.exists() else {})
-        result.errors = [line for line in process.stderr.splitlines()
-                         if "mpm_granular: error" in line]
-        return result
 
 
 def check_same(name, one, other, columns, tolerance):
@@ -73,10 +54,10 @@ CASES = [
 for number, (name, file, settings) in enumerate(CASES[:4] if IS_DEBUG else
                                                 CASES):
     settings = [*settings, "Output/Interval=0"]
-    one = run(1, INPUTS / file, *settings)
+    one = run(INPUTS / file, *settings)
     # Seven processes, on a machine with two cores, take their time.
     for ranks in (2, 3) if IS_DEBUG or number > 1 else (2, 3, 7):
-        other = run(ranks, INPUTS / file, *settings)
+        other = run(INPUTS / file, *settings, ranks=ranks)
         where = f"{name}, {ranks} processes"
         checks.that(other.exit_code == 0, where, other.text[-2000:])
         check_same(where, one, other, ["points"], 0.)
@@ -108,7 +89,7 @@ for kind in KINDS:
             density=1000, young=1e6, poisson=.3)),
         conditions=boundaries(walls=("roller", ["x_min", "x_max", "y_min"]),
                               top=("traction", ["y_max"])))
-    one, three = run(1, loaded), run(3, loaded)
+    one, three = run(loaded), run(loaded, ranks=3)
     checks.that(one.exit_code == three.exit_code == 0, f"a load, {kind}",
                 one.text[-2000:] + three.text[-2000:])
     check_same(f"a load, {kind}", one, three,
@@ -117,8 +98,8 @@ for kind in KINDS:
 if not IS_DEBUG:
     # The whole collapse: the points go three times as far as they were wide.
     for kind, settings in zip(KINDS, ([], SQUARES)):
-        one, three = (run(ranks, INPUTS / "wall_2d.prm", *settings,
-                          "Output/Interval=0") for ranks in (1, 3))
+        one, three = (run(INPUTS / "wall_2d.prm", *settings,
+                          "Output/Interval=0", ranks=ranks) for ranks in (1, 3))
         check_same(f"the deposit, {kind}", one, three, ["front", "height"], .02)
         checks.that(abs(three.last("closure")) < 2e-3,
                     f"the ledger on three processes, {kind}",
@@ -130,25 +111,25 @@ if not IS_DEBUG:
 
 # One process has nothing to do, if there are more processes than cells.
 for kind in KINDS:
-    few = run(3, f"""
+    few = run(f"""
 set Dimension = 2
 set End time  = 0.01
 {box(2, [0., 0.], (1., 1.), (1, 1), kind)}
 {body(2, [0., 0.], (1., 1.), points_per_cell=1)}
 {boundaries(walls=("roller", ["x_min", "x_max", "y_min"]),
             top=("free", ["y_max"]))}
-""")
+""", ranks=3)
     checks.that(few.exit_code == 0, f"a process without points, {kind}",
                 few.text[-2000:])
 
 # Errors.
-lost = run(3, escaping_body())
+lost = run(escaping_body(), ranks=3)
 checks.that(lost.exit_code == 2 and len(lost.errors) == 1 and
             "has left the mesh" in lost.errors[0] and
             lost.manifest.get("outcome") == "failed",
             "an error on one process", str(lost.exit_code) + lost.text[-2000:])
-refused = run(2, INPUTS / "wall_2d.prm", "Time step/Type=fixed",
-              "Time step/Fixed step=1")
+refused = run(INPUTS / "wall_2d.prm", "Time step/Type=fixed",
+              "Time step/Fixed step=1", ranks=2)
 checks.that(refused.exit_code == 1 and len(refused.errors) == 1 and
             not refused.manifest, "refused input", refused.text[-2000:])
 checks.exit()

@@ -8,7 +8,7 @@ it bit for bit."""
 import os
 
 from _case import (INPUTS, KINDS, Checks, Folder, Result, body, boundaries, box,
-                   points_per_cell, rollers, run)
+                   on_ranks, points_per_cell, rollers, run)
 
 checks = Checks()
 IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
@@ -141,21 +141,18 @@ checks.that(refused.exit_code == 1 and "Initial state/Velocity" in refused.text,
 
 def resumed(ranks_first, ranks_then, kind="simplices"):
     """Continues from a checkpoint of the stage."""
-    def before(ranks):
-        return [os.environ["MPM_MPIEXEC"], "-np", str(ranks)] if ranks > 1 else []
-
     with Folder() as folder:
         file = folder.path / "case.prm"
         file.write_text(column(2, kind, lattice(2, .037)), encoding="utf8")
         folder.run(file, "--output", "out", "--set=Checkpoint/Step interval=60",
-                   "--set=Checkpoint/Number kept=100", before=before(ranks_first))
+                   "--set=Checkpoint/Number kept=100", before=on_ranks(ranks_first))
         table = folder.path / "out" / "observables.csv"
         reference, whole = table.read_bytes(), Result(
             folder.run("--version"), folder.path / "out")
         kept, *later = sorted((folder.path / "out" / "checkpoint").iterdir())
         for path in later:
             path.unlink()
-        process = folder.run("--resume", "out", before=before(ranks_then))
+        process = folder.run("--resume", "out", before=on_ranks(ranks_then))
         again = Result(process, folder.path / "out")
         name = f"{kind}, stage of {ranks_first} ranks, continued on {ranks_then}"
         checks.that(process.returncode == 0 and "step-0000000060" in kept.name and

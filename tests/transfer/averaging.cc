@@ -1,8 +1,8 @@
 // Means over cells and around nodes: a linear velocity field has its constant
 // gradient at all points; forces add up to no force and no moment; a constant
-// stress that fills the mesh acts on no inner node, however irregular the
-// points are; and where cells are half empty, forces do the work of the
-// stresses.
+// stress of points too many for the mesh acts on its volume, and in simplices,
+// where gradients do not vary, on no inner node, however irregular the points
+// are; and where cells are half empty, forces do the work of the stresses.
 
 #include <deal.II/base/mpi.h>
 
@@ -21,8 +21,10 @@ struct Averaged : ScatteredPoints<dim>
 {
   std::unique_ptr<Transfer::Averaging<dim>> averaging;
 
-  Averaged(const std::string &name, const double filling)
-    : ScatteredPoints<dim>(JitteredBox<dim>(4),
+  Averaged(const std::string           &name,
+           const Mesh::MeshSource<dim> &source,
+           const double                 filling)
+    : ScatteredPoints<dim>(source,
                            [](const Point<dim> &) { return Tensor<1, dim>(); })
     , averaging(Transfer::AveragingRegistry<dim>::make(name))
   {
@@ -93,7 +95,7 @@ struct Averaged : ScatteredPoints<dim>
 
 template <int dim>
 void
-test(const std::string &name)
+test(const std::string &name, const Mesh::MeshSource<dim> &source)
 {
   const Tensor<2, dim> gradient = [] {
     Tensor<2, dim> G;
@@ -103,7 +105,7 @@ test(const std::string &name)
     return G;
   }();
 
-  Averaged<dim> sparse(name, .3);
+  Averaged<dim> sparse(name, source, .3);
   sparse.find_forces();
   sparse.set_velocity([&](const Point<dim> &x) { return gradient * x; });
   double       worst_gradient = 0.;
@@ -143,36 +145,47 @@ test(const std::string &name)
       }
   });
 
-  Averaged<dim> full(name, 30.);
+  Averaged<dim> full(name, source, 30.);
   for (auto &component : full.points.arrays().stress)
     std::fill(component.begin(), component.end(), 1.);
   full.find_forces();
-  double on_inner = 0., on_outer = 0.;
+  double on_inner = 0., on_outer = 0., virial = 0.;
   for (unsigned int i = 0; i < full.fields.n_active_nodes(); ++i)
     {
-      const auto x        = full.node(i);
-      bool       is_inner = true;
+      const auto &f        = full.fields.sums[i].force;
+      const auto  x        = full.node(i);
+      bool        is_inner = true;
       for (unsigned int d = 0; d < dim; ++d)
-        is_inner &= x[d] > .01 && x[d] < .99;
+        {
+          is_inner &= x[d] > .01 && x[d] < .99;
+          for (unsigned int e = 0; e < dim; ++e)
+            virial -= x[d] * f[e] / (dim * dim);
+        }
       double &worst = is_inner ? on_inner : on_outer;
-      worst         = std::max(worst, full.fields.sums[i].force.norm());
+      worst         = std::max(worst, f.norm());
     }
+  const bool is_simplex = full.mesh.cell_kind() == Mesh::CellKind::simplex;
 
   double worst_pressure = 0.; // p = -1 at all points
   for (const double p :
        Transfer::nodal_pressure(full.mesh, full.points.arrays(), full.fields))
     worst_pressure = std::max(worst_pressure, std::abs(p + 1.));
 
-  std::cout << dim << "D, " << name << ": gradients exact "
+  std::cout << dim << "D, " << name << (is_simplex ? "" : " in hypercubes")
+            << ": gradients exact "
             << (worst_gradient < 1e-12 && n_strained == points.size())
             << ", no net force " << (force.norm() < 1e-12 * largest)
             << ", no net moment " << (std::abs(torque) < 1e-12 * largest)
             << std::endl
             << "forces do the work of stresses "
             << (std::abs(power + stress_power) < 1e-12 * std::abs(power))
-            << ", constant stress acts at the boundary only "
-            << (on_inner < 1e-12 * on_outer) << ", and is the nodes' pressure "
-            << (worst_pressure < 1e-12) << std::endl;
+            << ", constant stress fills the volume "
+            << (std::abs(virial - 1.) < 1e-12)
+            << (is_simplex ? ", acts at the boundary only " +
+                               std::to_string(on_inner < 1e-12 * on_outer) :
+                             "")
+            << ", and is the nodes' pressure " << (worst_pressure < 1e-12)
+            << std::endl;
 }
 
 int
@@ -181,7 +194,9 @@ main(int argc, char **argv)
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const std::string name : {"cells", "nodes"})
     {
-      test<2>(name);
-      test<3>(name);
+      test<2>(name, JitteredBox<2>(4));
+      test<3>(name, JitteredBox<3>(4));
     }
+  test<2>("cells", BoxMesh<2>("hypercubes", 4));
+  test<3>("cells", BoxMesh<3>("hypercubes", 4));
 }

@@ -129,6 +129,13 @@ namespace mpm_granular::Grid
       for (unsigned int s = 0; s < n_stress<dim>; ++s)
         stress[s] += other.stress[s];
     }
+
+    void
+    operator*=(const double factor)
+    {
+      for (double &component : stress)
+        component *= factor;
+    }
   };
 
   /// In a box gradients depend on the place, so that forces are summed.
@@ -144,6 +151,14 @@ namespace mpm_granular::Grid
       for (unsigned int d = 0; d < dim; ++d)
         for (unsigned int k = 0; k < force[d].size(); ++k)
           force[d][k] += other.force[d][k];
+    }
+
+    void
+    operator*=(const double factor)
+    {
+      for (auto &component : force)
+        for (double &value : component)
+          value *= factor;
     }
   };
 

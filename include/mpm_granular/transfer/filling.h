@@ -11,9 +11,9 @@
 namespace mpm_granular::Transfer
 {
   /**
-   * How far the cells of a mesh of simplices, and the surroundings of its
-   * nodes, are filled with material (T40). The gaps between points that have
-   * separated do not count.
+   * How far the cells of a mesh, and the surroundings of its nodes, are filled
+   * with material (T40). The gaps between points that have separated do not
+   * count.
    *
    * Use: clear(), add() every block of points, sum().
    */
@@ -21,8 +21,6 @@ namespace mpm_granular::Transfer
   class Filling
   {
   public:
-    using Cell = Mesh::SimplexCell<dim>;
-
     /// See Averaging::reinit().
     void
     reinit(const Mesh::BackgroundMesh<dim> &mesh,
@@ -73,10 +71,15 @@ namespace mpm_granular::Transfer
     serialize(Core::Archive &archive);
 
   private:
-    static constexpr unsigned int n_nodes = Cell::n_nodes;
+    template <class Cell>
+    void
+    add_in(const Points::PointArrays<dim> &points,
+           const PointBlock<dim>          &block,
+           const Grid::NodalFields<dim>   &fields);
 
     const Mesh::BackgroundMesh<dim> *mesh      = nullptr;
     const Mesh::Partition<dim>      *partition = nullptr;
+    unsigned int                     n_nodes   = 0;           ///< of a cell
     std::vector<double>              largest_specific_volume; ///< by material
     std::vector<double> parts;     ///< sum_p V_p N_k by cell slot, then vertex
     std::vector<double> fractions; ///< by node slot

@@ -50,6 +50,34 @@ namespace mpm_granular::Transfer
       }
     return power;
   }
+
+  /// The power of the stresses of a cell's points on the straining velocities
+  /// [W].
+  /// @param nodes slots of the cell's nodes.
+  template <int dim>
+  inline double
+  stress_power(const Grid::StressSums<Mesh::SimplexCell<dim>>       &sums,
+               const Mesh::SimplexCell<dim>                         &cell,
+               const std::array<unsigned int, std::size_t(dim + 1)> &nodes,
+               const Grid::NodalFields<dim>                         &fields)
+  {
+    return stress_power<dim>(sums.stress,
+                             straining_gradient(cell, nodes, fields));
+  }
+
+  template <int dim>
+  inline double
+  stress_power(const Grid::StressSums<Mesh::BoxCell<dim>> &sums,
+               const Mesh::BoxCell<dim> & /*cell*/,
+               const std::array<unsigned int, std::size_t(1) << dim> &nodes,
+               const Grid::NodalFields<dim>                          &fields)
+  {
+    double power = 0.;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      for (unsigned int d = 0; d < dim; ++d)
+        power -= sums.force[d][k] * fields.motion[nodes[k]].straining[d];
+    return power;
+  }
 } // namespace mpm_granular::Transfer
 
 #endif

@@ -24,12 +24,6 @@ namespace mpm_granular::Transfer
     StressOrder
     stress_order() const;
 
-    bool
-    filters_pressure() const
-    {
-      return pressure_filter_rate > 0.;
-    }
-
     /// The part of the way to the smooth pressure (T29) that points in contact
     /// go in a time.
     double
