@@ -6,6 +6,7 @@ import pathlib
 import tomllib
 
 import numpy
+from numpy.lib.recfunctions import append_fields
 
 from .orders import estimate, observed_orders
 from .tables import markdown, number, write_csv
@@ -120,7 +121,7 @@ class Study:
                 run = program.run(
                     self.input, f"variant_{number_of}_size_{level.size:g}",
                     self.settings | variant.settings | level.settings)
-                tables[variant.label].append(run.table)
+                tables[variant.label].append(with_cost(run))
         return tables
 
     def results(self, tables):
@@ -189,6 +190,14 @@ class Result:
                 ["variant", "observed order", "extrapolated to size 0",
                  "error bar of the finest (GCI)"], lines)
         return text
+
+
+def with_cost(run):
+    """The table of observables of a run, with a column `loop_seconds`: the wall
+    time of all its steps, the same in every row."""
+    seconds = run.manifest["performance"]["loop_seconds"]
+    return append_fields(run.table, "loop_seconds",
+                         numpy.full(len(run.table), seconds), usemask=False)
 
 
 def combinations(varied):
