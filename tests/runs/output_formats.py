@@ -15,7 +15,7 @@ import numpy
 from _case import Folder
 from _fields import by_id, read_series
 from _program import PROGRAM, TIME_LIMIT
-from _restart import Case, checks, column, interrupted, same
+from _restart import IS_DEBUG, Case, checks, column, interrupted, same
 
 END = ".02"
 SHORT = ["Output/Interval=.01"]
@@ -28,7 +28,7 @@ FORMATS = {"VTU": ["Output/Format=VTU"],
            "HDF5 without compression": ["Output/Format=HDF5",
                                         "Output/Compression=none"]}
 MANY = ["Points/body/Points per cell=16"]
-RANKS = (1, 2, 3) if os.environ.get("MPM_MPIEXEC") else (1,)
+RANKS = ((1, 2, 3) if os.environ.get("MPM_MPIEXEC") and not IS_DEBUG else (1,))
 
 
 def files_of(dim, settings, ranks):

@@ -2,7 +2,7 @@
 """What a user meets on the command line: every mistake gets exit code 1 and
 one message that tells what to change, and leaves no file behind.
 
-Usage: command_line.py [PROGRAM]
+Usage: command_line.release.py [PROGRAM]
 """
 
 
