@@ -185,7 +185,7 @@ namespace mpm_granular::Momentum
         const auto          &node = fields.sums[i];
         const Tensor<1, dim> impulse =
           mass_scaling * (new_momentum[i] - old_momentum[i]);
-        const Tensor<1, dim> mean = .5 * (old_velocity[i] + new_velocity[i]);
+        const Tensor<1, dim> mean   = .5 * (old_velocity[i] + new_velocity[i]);
         const Tensor<1, dim> others = step.time_step * (forces[i] - node.load);
         work.total += impulse * mean;
         work.boundary += (impulse - others) * mean;
