@@ -137,9 +137,16 @@ namespace mpm_granular::Materials
         for (unsigned int j = 0; j < dim; ++j)
           gradient[i * dim + j][r] = step * velocity_gradients[r][i][j];
 
+    // There are some twenty runs, and what is left behind whole vectors would
+    // take as long as these: zeros fill up the last one.
+    const unsigned int n_padded = (n + vector - 1) / vector * vector;
+    for (auto &column : gradient)
+      for (unsigned int r = n; r < n_padded; ++r)
+        column[r] = 0.;
+
     Column volume_change;
     MPM_INDEPENDENT_ITERATIONS
-    for (unsigned int r = 0; r < n; ++r)
+    for (unsigned int r = 0; r < n_padded; ++r)
       {
         Gradient<dim> A;
         for (unsigned int c = 0; c < A.size(); ++c)

@@ -105,11 +105,13 @@ namespace mpm_granular::Momentum
     const unsigned int n        = fields.n_active_nodes();
     const double       duration = step.time_step / mass_scaling; // (T33)
     old_momentum.resize(n);
+    forces.resize(n);
     scratch.resize(n);
     for (unsigned int i = 0; i < n; ++i)
       {
         old_momentum[i] = fields.sums[i].momentum;
-        scratch[i]      = old_momentum[i] + duration * force(fields, step, i);
+        forces[i]       = force(fields, step, i);
+        scratch[i]      = old_momentum[i] + duration * forces[i];
       }
     add_damping(step);
     mass.assemble(fields);
@@ -183,9 +185,8 @@ namespace mpm_granular::Momentum
         const auto          &node = fields.sums[i];
         const Tensor<1, dim> impulse =
           mass_scaling * (new_momentum[i] - old_momentum[i]);
-        const Tensor<1, dim> mean = .5 * (old_velocity[i] + new_velocity[i]);
-        const Tensor<1, dim> others =
-          step.time_step * (force(fields, step, i) - node.load);
+        const Tensor<1, dim> mean   = .5 * (old_velocity[i] + new_velocity[i]);
+        const Tensor<1, dim> others = step.time_step * (forces[i] - node.load);
         work.total += impulse * mean;
         work.boundary += (impulse - others) * mean;
         work.weight += step.time_step * node.mass * (step.gravity * mean);

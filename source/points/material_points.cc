@@ -173,17 +173,25 @@ namespace mpm_granular::Points
   void
   MaterialPoints<dim>::order()
   {
-    // A counting sort that touches only cells with points.
+    // A counting sort that touches only cells with points. A mark for each,
+    // 64 in a word, finds them in order faster than sorting their numbers.
+    constexpr unsigned int n_bits = 64;
     n_in_cell.resize(mesh.n_cells(), 0);
-    std::vector<unsigned int> occupied;
+    is_occupied.resize(mesh.n_cells() / n_bits + 1, 0);
     for (const unsigned int cell : working_set.cell)
-      if (n_in_cell[cell]++ == 0)
-        occupied.push_back(cell);
-    std::sort(occupied.begin(), occupied.end());
-
-    unsigned int next = 0;
-    for (const unsigned int cell : occupied)
-      next += std::exchange(n_in_cell[cell], next);
+      {
+        ++n_in_cell[cell];
+        is_occupied[cell / n_bits] |= std::uint64_t(1) << cell % n_bits;
+      }
+    std::vector<unsigned int> occupied;
+    unsigned int              next = 0;
+    for (unsigned int word = 0; word < is_occupied.size(); ++word)
+      for (auto marks = std::exchange(is_occupied[word], 0); marks != 0;
+           marks &= marks - 1)
+        {
+          occupied.push_back(word * n_bits + __builtin_ctzll(marks));
+          next += std::exchange(n_in_cell[occupied.back()], next);
+        }
 
     std::vector<unsigned int> permutation(working_set.size());
     for (unsigned int p = 0; p < working_set.size(); ++p)
@@ -330,7 +338,8 @@ namespace mpm_granular::Points
   {
     std::size_t bytes = particles.n_locally_owned_particles() *
                           bytes_per_particle<dim>(names.size()) +
-                        n_in_cell.capacity() * sizeof(unsigned int);
+                        n_in_cell.capacity() * sizeof(unsigned int) +
+                        is_occupied.capacity() * sizeof(std::uint64_t);
     const_cast<PointArrays<dim> &>(working_set)
       .for_each_array(
         [&](auto &array) { bytes += array.capacity() * sizeof(array[0]); });

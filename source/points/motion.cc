@@ -17,13 +17,16 @@ namespace mpm_granular::Points
             const unsigned int      begin,
             const unsigned int      end)
   {
-    const double                   *mass = points.mass.data();
+    // Pointers to the first of the points and a wide index: a loop over indices
+    // that may wrap is vectorized by gathering single numbers.
+    const std::size_t               n_points = end - begin;
+    const double                   *mass     = points.mass.data() + begin;
     std::array<const double *, dim> velocity;
     for (unsigned int d = 0; d < dim; ++d)
-      velocity[d] = points.velocity[d].data();
+      velocity[d] = points.velocity[d].data() + begin;
     double energy = 0., fastest = 0.;
 #pragma omp simd reduction(+ : energy) reduction(max : fastest)
-    for (unsigned int p = begin; p < end; ++p)
+    for (std::size_t p = 0; p < n_points; ++p)
       {
         double square = velocity[0][p] * velocity[0][p];
         for (unsigned int d = 1; d < dim; ++d)

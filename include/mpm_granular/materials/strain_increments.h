@@ -31,6 +31,10 @@ namespace mpm_granular::Materials
     /// spread() writes whole groups of so many values.
     static constexpr unsigned int group = 4;
 
+    /// compute() computes whole groups of so many.
+    static constexpr unsigned int vector = 8;
+    static_assert(capacity % vector == 0);
+
     using Column = std::array<double, capacity + group>;
 
     /// Components R_ij of the rotation of the step, row by row.

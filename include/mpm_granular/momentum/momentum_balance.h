@@ -153,6 +153,7 @@ namespace mpm_granular::Momentum
     const Mesh::BackgroundMesh<dim> &mesh;
     const double      least_density; ///< of a node: below, forces are dropped
     const double      mass_scaling;
+    NodalVectors<dim> forces; ///< on the nodes at the beginning of the step
     NodalVectors<dim> old_momentum;
     NodalVectors<dim> old_velocity;
     NodalVectors<dim> new_velocity;

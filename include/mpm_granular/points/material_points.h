@@ -151,6 +151,7 @@ namespace mpm_granular::Points
     dealii::Particles::ParticleHandler<dim> particles;
     std::uint64_t                           n_ids = 0; ///< taken so far
     std::vector<unsigned int>               n_in_cell; ///< zero between calls
+    std::vector<std::uint64_t> is_occupied; ///< bits of cells, zero as well
   };
 } // namespace mpm_granular::Points
 

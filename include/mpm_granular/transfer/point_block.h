@@ -20,7 +20,9 @@ namespace mpm_granular::Transfer
   struct PointBlock
   {
     /// Points per block; a run that begins within it is taken whole.
-    static constexpr unsigned int target_size = 192;
+    /// With the rest of that run it then mostly fills up three batches of a law
+    /// (Materials::StrainIncrements): a fourth one would be almost empty.
+    static constexpr unsigned int target_size = 188;
 
     std::vector<Points::Run> runs; ///< one cell and material each
 
