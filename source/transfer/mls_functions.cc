@@ -35,6 +35,7 @@ namespace mpm_granular::Transfer
   {
     mesh               = &new_mesh;
     cell_of_candidates = Mesh::no_cell;
+    place_of_node.assign(mesh->n_nodes(), 0);
     std::vector<std::vector<unsigned int>> around(mesh->n_nodes());
     std::vector<unsigned int>              n_cells_of_node(mesh->n_nodes());
     for (unsigned int cell = 0; cell < mesh->n_cells(); ++cell)
@@ -65,32 +66,58 @@ namespace mpm_granular::Transfer
 
   template <int dim>
   void
+  MlsFunctions<dim>::add_candidate(const unsigned int node)
+  {
+    place_of_node[node] = candidates.size();
+    candidates.push_back(
+      {node, mesh->node_position(node), 1. / (radii[node] * radii[node]), {}});
+  }
+
+  template <int dim>
+  void
   MlsFunctions<dim>::find_candidates(const unsigned int cell)
   {
-    constexpr unsigned int all = (1u << Cell::n_nodes) - 1;
-    const auto            &own = mesh->template cells<Cell>()[cell].node;
-    candidates.clear();
-    for (const unsigned int node : own)
-      candidates.push_back({node, all});
-    for (unsigned int k = 0; k < own.size(); ++k)
-      for (unsigned int i = first_neighbor[own[k]];
-           i < first_neighbor[own[k] + 1];
-           ++i)
-        if (std::find(own.begin(), own.end(), neighbors[i]) == own.end())
-          candidates.push_back({neighbors[i], 1u << k});
-    // A node next to several vertices is there several times.
-    const auto others = candidates.begin() + own.size();
-    std::sort(others, candidates.end(), [](const auto &a, const auto &b) {
-      return a.node < b.node;
-    });
-    auto last = others;
-    for (auto next = others; next != candidates.end(); ++next)
-      if (last != others && (last - 1)->node == next->node)
-        (last - 1)->vertices |= next->vertices;
-      else
-        *last++ = *next;
-    candidates.erase(last, candidates.end());
     cell_of_candidates = cell;
+    candidates.clear();
+    const auto &own = mesh->template cells<Cell>()[cell].node;
+    for (const unsigned int node : own)
+      add_candidate(node);
+    for (unsigned int k = 0; k < own.size(); ++k)
+      {
+        candidates[k].is_next_to[k] = 1.;
+        for (unsigned int i = first_neighbor[own[k]];
+             i < first_neighbor[own[k] + 1];
+             ++i)
+          {
+            const unsigned int node  = neighbors[i];
+            const unsigned int place = place_of_node[node];
+            if (!(place < candidates.size() && candidates[place].node == node))
+              add_candidate(node);
+            candidates[place_of_node[node]].is_next_to[k] = 1.;
+          }
+      }
+  }
+
+  template <int dim>
+  void
+  MlsFunctions<dim>::find_samples(
+    const Point<dim>                               &x,
+    const std::array<double, std::size_t(dim + 1)> &shape_values)
+  {
+    samples.clear();
+    for (unsigned int c = 0; c < candidates.size(); ++c)
+      {
+        const auto          &candidate = candidates[c];
+        const Tensor<1, dim> offset    = candidate.position - x;
+        const double         inside =
+          1. - offset.norm_square() * candidate.inverse_square;
+        double factor = 0.;
+        for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+          factor += candidate.is_next_to[k] * shape_values[k];
+        const double weight = factor * inside * inside; // (T90)
+        if (inside > 0. && weight > least_weight)
+          samples.push_back({c, weight, offset, 0., {}});
+      }
   }
 
   template <int dim>
@@ -103,23 +130,7 @@ namespace mpm_granular::Transfer
       find_candidates(cell);
     const Cell &simplex = mesh->template cells<Cell>()[cell];
     const auto  linear  = simplex.inner_shape_values(x, least_shape_value);
-
-    samples.clear();
-    for (unsigned int c = 0; c < candidates.size(); ++c)
-      {
-        const auto &candidate = candidates[c];
-        double      factor    = 0.;
-        for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-          if (candidate.vertices & (1u << k))
-            factor += linear[k];
-        const Tensor<1, dim> offset = mesh->node_position(candidate.node) - x;
-        const double         radius = radii[candidate.node];
-        const double         inside =
-          std::max(0., 1. - offset.norm_square() / (radius * radius));
-        const double weight = factor * inside * inside; // (T90)
-        if (weight > least_weight)
-          samples.push_back({c, weight, offset, 0., {}});
-      }
+    find_samples(x, linear);
 
     const bool        is_fitted = fit();
     const std::size_t first     = functions.size();
@@ -169,8 +180,10 @@ namespace mpm_granular::Transfer
               for (unsigned int j = i; j < dim; ++j)
                 moments[i][j] += sample.weight * arm[i] * arm[j];
           }
-        if (!(determinant(moments) >
-              flattest * std::pow(trace(moments) / dim, dim)))
+        double of_ball = 1.;
+        for (unsigned int d = 0; d < dim; ++d)
+          of_ball *= trace(moments) / dim;
+        if (!(determinant(moments) > flattest * of_ball))
           return false;
 
         const SymmetricTensor<2, dim> inverse = invert(moments);
@@ -181,9 +194,9 @@ namespace mpm_granular::Transfer
             sample.value = sample.weight / total - sample.gradient * center;
           }
         const auto negative =
-          std::remove_if(samples.begin(), samples.end(), [](const auto &sample) {
-            return sample.value <= 0.;
-          });
+          std::remove_if(samples.begin(),
+                         samples.end(),
+                         [](const auto &sample) { return sample.value <= 0.; });
         if (negative == samples.end())
           return true;
         samples.erase(negative, samples.end());

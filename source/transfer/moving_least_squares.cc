@@ -105,7 +105,7 @@ namespace mpm_granular::Transfer
   void
   MovingLeastSquares<dim>::evaluate(const Grid::NodalFields<dim>   &fields,
                                     const Points::PointArrays<dim> &points,
-                                    PointBlock<dim> &block) const
+                                    PointBlock<dim>                &block) const
   {
     functions.find(points, block);
     block.gradients.clear();
@@ -127,8 +127,8 @@ namespace mpm_granular::Transfer
   MovingLeastSquares<dim>::move_points(const Mesh::BackgroundMesh<dim> &,
                                        const Grid::NodalFields<dim> &fields,
                                        PointBlock<dim>              &block,
-                                       const double              time_step,
-                                       const double              pic_factor,
+                                       const double                  time_step,
+                                       const double                  pic_factor,
                                        Points::PointArrays<dim> &points) const
   {
     functions.find(points, block);
@@ -159,11 +159,9 @@ namespace mpm_granular::Transfer
       "smooth shape functions over the cells around each point (UMLS), for "
       "all that points and nodes exchange: most accurate where points cross "
       "cells, but the dearest.";
-    const AveragingRegistry<2>::Entry<MovingLeastSquares<2>> mls_2d(
-      "moving least squares",
-      documentation);
-    const AveragingRegistry<3>::Entry<MovingLeastSquares<3>> mls_3d(
-      "moving least squares",
-      documentation);
+    const AveragingRegistry<2>::Entry<MovingLeastSquares<2>>
+      mls_2d("moving least squares", documentation);
+    const AveragingRegistry<3>::Entry<MovingLeastSquares<3>>
+      mls_3d("moving least squares", documentation);
   } // namespace
 } // namespace mpm_granular::Transfer

@@ -2,7 +2,8 @@
 // fields, are not negative, and with their gradients are continuous across
 // faces; those of inner nodes vanish on the surface of the mesh. Points give
 // all of their mass and momentum to the nodes and no net force or moment;
-// forces do the work of the stresses; and all ranks together find what one does.
+// forces do the work of the stresses; and all ranks together find what one
+// does.
 
 #include <deal.II/base/mpi.h>
 
@@ -22,8 +23,8 @@ using NodeFunctions = std::vector<Grid::NodeFunction<dim>>;
 /// Of a place in a cell, from its shape values there.
 template <int dim>
 Point<dim>
-place(const Mesh::BackgroundMesh<dim>        &mesh,
-      const unsigned int                      cell,
+place(const Mesh::BackgroundMesh<dim>   &mesh,
+      const unsigned int                 cell,
       const std::array<double, dim + 1> &shape_values)
 {
   Point<dim> x;
@@ -76,7 +77,7 @@ test_functions()
         sum += inside[k] = .05 + scattered(7 * cell + k);
       for (double &value : inside)
         value /= sum;
-      const Point<dim> x = place(mesh, cell, inside);
+      const Point<dim>   x = place(mesh, cell, inside);
       NodeFunctions<dim> functions;
       mls.evaluate(cell, x, functions);
       double         total = -1.;
@@ -139,8 +140,8 @@ test_functions()
     }
   std::cout << dim << "D: sum of one " << (unity < 1e-12)
             << ", linear fields exact " << (linear < 1e-9)
-            << ", and their gradients " << (gradients < 1e-11)
-            << ", positive " << (least > 0.) << ", reach beyond cells "
+            << ", and their gradients " << (gradients < 1e-11) << ", positive "
+            << (least > 0.) << ", reach beyond cells "
             << (n_beyond > mesh.n_cells() / 2) << std::endl
             << "continuous across faces "
             << (n_faces > mesh.n_cells() && jump < 1e-6 * largest)
@@ -168,11 +169,11 @@ struct Body
 {
   std::unique_ptr<Transfer::Averaging<dim>> averaging =
     Transfer::AveragingRegistry<dim>::make("moving least squares");
-  Mesh::BackgroundMesh<dim>                 mesh;
-  Mesh::Partition<dim>                      partition;
-  Points::MaterialPoints<dim>               points;
-  Grid::NodalFields<dim>                    fields;
-  Transfer::PointBlock<dim>                 block;
+  Mesh::BackgroundMesh<dim>   mesh;
+  Mesh::Partition<dim>        partition;
+  Points::MaterialPoints<dim> points;
+  Grid::NodalFields<dim>      fields;
+  Transfer::PointBlock<dim>   block;
 
   explicit Body(const MPI_Comm communicator)
     : mesh(JitteredBox<dim>(5), "", communicator)
@@ -284,15 +285,15 @@ test_conservation()
   for (unsigned int i = 0; i < body.fields.n_active_nodes(); ++i)
     {
       const auto &node = body.fields.sums[i];
-      const auto  x = body.mesh.node_position(body.fields.active_nodes[i]);
-      const auto  v = wavy(x);
+      const auto  x    = body.mesh.node_position(body.fields.active_nodes[i]);
+      const auto  v    = wavy(x);
       lost_mass -= node.mass;
       lost_momentum -= node.momentum;
       force += node.force;
       torque += x[0] * node.force[1] - x[1] * node.force[0];
       power += node.force * v;
-      largest = std::max(largest, node.force.norm());
-      least   = std::min(least, node.mass);
+      largest                         = std::max(largest, node.force.norm());
+      least                           = std::min(least, node.mass);
       body.fields.motion[i].straining = v;
     }
   double       stress_power = 0.;

@@ -70,7 +70,7 @@ namespace mpm_granular::Grid
     /// Adds (sampled mass matrix) . @p field to @p result; both by slot.
     template <class SlotOf>
     void
-    add_mass_times(SlotOf                                    &&slot_of,
+    add_mass_times(SlotOf                                   &&slot_of,
                    const std::vector<dealii::Tensor<1, dim>> &field,
                    std::vector<dealii::Tensor<1, dim>>       &result) const
     {

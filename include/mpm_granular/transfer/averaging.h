@@ -126,8 +126,7 @@ namespace mpm_granular::Transfer
                 const double                     pic_factor,
                 Points::PointArrays<dim>        &points) const
     {
-      Transfer::move_points(
-        mesh, fields, block, time_step, pic_factor, points);
+      Transfer::move_points(mesh, fields, block, time_step, pic_factor, points);
     }
 
     /**

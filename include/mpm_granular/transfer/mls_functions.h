@@ -4,6 +4,7 @@
 #include <mpm_granular/grid/spread_sums.h>
 #include <mpm_granular/mesh/background_mesh.h>
 
+#include <array>
 #include <vector>
 
 namespace mpm_granular::Transfer
@@ -48,7 +49,12 @@ namespace mpm_granular::Transfer
     using Cell = Mesh::SimplexCell<dim>;
 
     void
+    add_candidate(const unsigned int node);
+    void
     find_candidates(const unsigned int cell);
+    void
+    find_samples(const dealii::Point<dim>                       &x,
+                 const std::array<double, std::size_t(dim + 1)> &shape_values);
     /// Fits the samples, of which those with negative functions are left out.
     /// @return whether they determine a linear field.
     bool
@@ -65,8 +71,12 @@ namespace mpm_granular::Transfer
     /// A node that may see points of a cell.
     struct Candidate
     {
-      unsigned int node;
-      unsigned int vertices; ///< those of the cell it is next to, as bits
+      unsigned int       node;
+      dealii::Point<dim> position;
+      double             inverse_square; ///< of its kernel's radius [1/m^2]
+
+      /// Whether it is next to vertex k of the cell: 1 or 0.
+      std::array<double, Cell::n_nodes> is_next_to;
     };
 
     /// A node that sees the point.
@@ -79,9 +89,10 @@ namespace mpm_granular::Transfer
       dealii::Tensor<1, dim> gradient;
     };
 
-    unsigned int           cell_of_candidates = Mesh::no_cell;
-    std::vector<Candidate> candidates; ///< the cell's own nodes first
-    std::vector<Sample>    samples;
+    unsigned int              cell_of_candidates = Mesh::no_cell;
+    std::vector<Candidate>    candidates;    ///< the cell's own nodes first
+    std::vector<unsigned int> place_of_node; ///< among the candidates
+    std::vector<Sample>       samples;
   };
 } // namespace mpm_granular::Transfer
 
