@@ -184,7 +184,7 @@ namespace mpm_granular::Solver
                   momentum.mass_matrix.chosen_name() + ".");
         require(!adaptation.is_wanted(),
                 scheme + " is not defined at the hanging nodes of an 'Adaptive "
-                         "mesh', whose 'Criteria' must be empty then.");
+                         "mesh', whose 'Names' must be empty then.");
       }
     damping->check();
     require(momentum.mass_scaling == 1. || damping->is_active(),
