@@ -17,7 +17,7 @@ SIGNS = numpy.array([1., -1., 1.])  # of the displacement along x, y, z
 # The schemes that are compared, by what is said of them, and their entries.
 FLIP = ""
 CELLS, NODES = "means of cells", "means of nodes"
-LEAST_SQUARES = "moving least squares"
+LEAST_SQUARES = "least squares"
 SCHEMES = {FLIP: {}, CELLS: {"Scheme/Averaging": "cells"},
            NODES: {"Scheme/Averaging": "nodes", "Scheme/Averaged part": "1"},
            f"APIC, {NODES}": {"Scheme/Averaging": "nodes",
@@ -119,8 +119,9 @@ grows with refinement: this is the method on linear simplices (Steffen, Kirby & 
 (T40 to T43), bring the second order back in the plane; in space those around nodes do
 best. The price is a larger error on coarse meshes and where no point crosses. XPIC and
 FMPM (T66, T67) filter velocities but leave the forces as they are, and with them the
-order. APIC (T68) with means around nodes about halves the errors of these means in
-space. Moving least squares (T90 to T92) have the smallest errors in space from n = 8 on.
+order. APIC (T68) with means around nodes has smaller errors than FLIP with these means.
+Moving least squares (T90 to T92) have the second order as well, and in space the
+smallest errors from n = 8 on.
 """)
     rows, lines = [], {}
     for dim, points in ((2, 4), (2, 1), (3, 4), (3, 1)):
