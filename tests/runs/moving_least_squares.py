@@ -33,7 +33,7 @@ for settings, message in REFUSED:
 
 # The fall begins as in the other schemes.
 END = "End time=0.02" if IS_DEBUG else "End time=0.1"
-plain = run(WALL, END)
+plain = run(WALL, END, "Scheme/Averaging=none")
 FRICTION = ["Boundary conditions/base/Type=Coulomb friction",
             "Boundary conditions/base/Friction coefficient=0.5"]
 for settings in ([], ["Scheme/Stress order=USL"], ["Scheme/Stress order=USF"],

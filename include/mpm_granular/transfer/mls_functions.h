@@ -19,7 +19,8 @@ namespace mpm_granular::Transfer
    *
    * The functions add up to one, reproduce linear fields and are not negative.
    * On the surface of the mesh those of inner nodes therefore vanish, and walls
-   * hold points as they do with linear functions.
+   * hold points as they do with linear functions; gradients may jump in the
+   * cells there.
    *
    * After Cao et al., Unstructured moving least squares material point methods
    * (arXiv:2312.10338), with a kernel of our own and without negative values.
