@@ -68,7 +68,7 @@ test_functions()
 
   double       unity = 0., linear = 0., gradients = 0., least = 1.;
   double       jump = 0., on_surface = 0., largest = 0.;
-  unsigned int n_beyond = 0, n_faces = 0;
+  unsigned int n_nodes = 0, n_beyond = 0, n_faces = 0;
   for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
     {
       std::array<double, dim + 1> inside;
@@ -92,6 +92,7 @@ test_functions()
           least   = std::min(least, function.value);
           largest = std::max(largest, function.gradient.norm());
         }
+      n_nodes += functions.size();
       n_beyond += functions.size() > dim + 1;
       unity     = std::max(unity, std::abs(total));
       linear    = std::max(linear, center.norm());
@@ -142,7 +143,9 @@ test_functions()
             << ", linear fields exact " << (linear < 1e-9)
             << ", and their gradients " << (gradients < 1e-11) << ", positive "
             << (least > 0.) << ", reach beyond cells "
-            << (n_beyond > mesh.n_cells() / 2) << std::endl
+            << (n_beyond > mesh.n_cells() / 2) << ", to "
+            << std::round(double(n_nodes) / mesh.n_cells()) << " nodes"
+            << std::endl
             << "continuous across faces "
             << (n_faces > mesh.n_cells() && jump < 1e-6 * largest)
             << ", inner nodes vanish on the surface " << (on_surface < 1e-7)
