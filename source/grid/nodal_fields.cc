@@ -140,6 +140,7 @@ namespace mpm_granular::Grid
   NodalFields<dim>::reinit()
   {
     clear_cells();
+    spread.reinit(mesh.n_nodes());
     active_nodes.clear();
     cell_slot.assign(mesh.n_cells(), 0);
     node_slot.assign(mesh.n_nodes(), 0);
@@ -185,6 +186,9 @@ namespace mpm_granular::Grid
         }
     });
     gather_at_hanging(at_hanging);
+    spread.for_each_node([&](const unsigned int node, const auto &given) {
+      add_scaled(sums[activate_node(node)], 1., given);
+    });
     sum_nodes();
     hanging.reinit(active_nodes.size());
     hanging_nodes.clear();
@@ -349,6 +353,9 @@ namespace mpm_granular::Grid
     for (unsigned int slot = n; slot < sums.size(); ++slot)
       hanging.add_at(sums, slot, NodeSums<dim>(sums[slot]));
     sums.resize(n);
+    spread.for_each_node([&](const unsigned int node, const auto &given) {
+      sums[node_slot[node]].force += given.force;
+    });
     if (shared.is_serial())
       return;
     partial.resize(sums.size());
@@ -386,6 +393,10 @@ namespace mpm_granular::Grid
             }
         }
     });
+    spread.add_mass_times(
+      [&](const unsigned int node) { return node_slot[node]; },
+      field,
+      sum_here);
     if (shared.is_serial())
       return;
     shared.sum(partial);
@@ -397,6 +408,8 @@ namespace mpm_granular::Grid
   void
   NodalFields<dim>::serialize(Core::Archive &archive)
   {
+    if (partition.acts_beyond_cells)
+      spread.serialize(archive);
     archive.distributed("grid/active_cells", active_cells);
     visit([&](auto &cells) {
       using Sums = typename std::decay_t<decltype(cells.sums)>::value_type;
@@ -436,6 +449,7 @@ namespace mpm_granular::Grid
                       cells.nodes.capacity() * sizeof(cells.nodes[0]);
              },
              all_cells) +
+           spread.memory_consumption() +
            sums.capacity() * sizeof(NodeSums<dim>) +
            motion.capacity() * sizeof(NodeMotion<dim>);
   }

@@ -105,6 +105,24 @@ namespace mpm_granular::Mesh
       return seeing;
     }
 
+    /// The ranks known at each node or at a node that a cell joins it with.
+    template <int dim>
+    std::vector<Ranks>
+    spread_over_cells(const BackgroundMesh<dim> &mesh,
+                      const std::vector<Ranks>  &of_nodes)
+    {
+      std::vector<Ranks> spread(of_nodes.size());
+      for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
+        {
+          Ranks of_cell;
+          for (const unsigned int node : mesh.nodes(cell))
+            insert(of_cell, of_nodes[node]);
+          for (const unsigned int node : mesh.nodes(cell))
+            insert(spread[node], of_cell);
+        }
+      return spread;
+    }
+
     template <class Key>
     void
     sort_by(std::vector<unsigned int> &list, Key &&key)
@@ -137,11 +155,13 @@ namespace mpm_granular::Mesh
   template <int dim>
   Partition<dim>::Partition(const PartitionParameters &parameters,
                             BackgroundMesh<dim>       &mesh,
-                            const MPI_Comm             communicator)
+                            const MPI_Comm             communicator,
+                            const bool                 acts_beyond_cells)
     : communicator(communicator)
     , rank(Utilities::MPI::this_mpi_process(communicator))
     , n_ranks(Utilities::MPI::n_mpi_processes(communicator))
     , largest_imbalance(parameters.largest_imbalance)
+    , acts_beyond_cells(acts_beyond_cells)
     , method(parameters.method)
     , mesh(mesh)
   {
@@ -274,6 +294,8 @@ namespace mpm_granular::Mesh
       for (const unsigned int node : mesh.free_nodes(cell))
         insert(meeting[node], seeing[cell]);
     complete_at_nodes(mesh, meeting);
+    if (acts_beyond_cells)
+      meeting = spread_over_cells(mesh, meeting);
 
     reachable.resize(mesh.n_cells());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)

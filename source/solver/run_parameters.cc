@@ -171,6 +171,21 @@ namespace mpm_granular::Solver
             "Scheme/Velocity update = " + velocity_update.chosen_name() +
               " needs Scheme/Stress order = MUSL or USL: points take over the "
               "gradient of the new velocity; given: USF.");
+    if (averaging->reaches_beyond_cells())
+      {
+        const std::string scheme =
+          "Scheme/Averaging = " + averaging.chosen_name();
+        require(velocity_update->handles_wide_functions(),
+                scheme + " needs another Scheme/Velocity update than " +
+                  velocity_update.chosen_name() +
+                  ", which is made for functions that end with the cell.");
+        require(momentum.mass_matrix.chosen_name() == "lumped",
+                scheme + " needs Scheme/Mass matrix = lumped; given: " +
+                  momentum.mass_matrix.chosen_name() + ".");
+        require(!adaptation.is_wanted(),
+                scheme + " is not defined at the hanging nodes of an 'Adaptive "
+                         "mesh', whose 'Names' must be empty then.");
+      }
     damping->check();
     require(momentum.mass_scaling == 1. || damping->is_active(),
             "Scheme/Mass scaling = " + Core::exact_text(momentum.mass_scaling) +

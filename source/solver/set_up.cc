@@ -76,7 +76,10 @@ namespace mpm_granular::Solver
                             const MPI_Comm            communicator)
     : parameters(parameters)
     , mesh(*parameters.mesh, input_file, communicator)
-    , partition(parameters.partition, mesh, communicator)
+    , partition(parameters.partition,
+                mesh,
+                communicator,
+                parameters.averaging->reaches_beyond_cells())
     , adaptation(parameters.adaptation)
     , laws(laws_of(parameters))
     , points(mesh,

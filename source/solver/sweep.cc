@@ -1,5 +1,4 @@
 #include <mpm_granular/solver/sweep.h>
-#include <mpm_granular/transfer/points_to_grid.h>
 
 #include <algorithm>
 
@@ -57,7 +56,7 @@ namespace mpm_granular::Solver
                                SweepResult              &result)
   {
     result.relocation += Transfer::relocate(mesh, partition, points, block);
-    Transfer::add_mass_and_momentum(mesh, points, block, fields);
+    averaging.add_mass_and_momentum(mesh, points, block, fields);
     velocity_update.give(mesh, points, block, fields);
     averaging.add_volumes(points, block, fields);
     result.motion += Points::motion_of(points, block.begin, block.end);
@@ -125,7 +124,7 @@ namespace mpm_granular::Solver
     for_each_block(points, [&] {
       averaging.evaluate(fields, points, block);
       velocity_update.take(block, points);
-      Transfer::move_points(mesh, fields, block, time_step, pic_factor, points);
+      averaging.move_points(mesh, fields, block, time_step, pic_factor, points);
       result.dissipated += update_stresses(points, time_step);
       relocate_and_sum(points, fields, result);
       averaging.add_stresses(points, block, fields);
@@ -159,7 +158,7 @@ namespace mpm_granular::Solver
     SweepResult result;
     clear(fields);
     for_each_block(points, [&] {
-      Transfer::move_points(mesh, fields, block, time_step, pic_factor, points);
+      averaging.move_points(mesh, fields, block, time_step, pic_factor, points);
       relocate_and_sum(points, fields, result);
     });
     return result;

@@ -30,6 +30,8 @@ CASES = [
     ("space, hexahedra", "wall_hexahedra.prm", [*CUBES, "End time=0.1"]),
     ("space", "wall.prm", [COARSE, "End time=0.05"]),
     ("plane, METIS", "wall_2d.prm", ["End time=0.04", METIS]),
+    ("plane, moving least squares", "wall_2d.prm",
+     ["End time=0.02", "Scheme/Averaging=moving least squares"]),
     ("plane, near-consistent", "wall_2d.prm",
      ["End time=0.02", "Scheme/Mass matrix=near-consistent"]),
     ("space, hexahedra, near-consistent, USF", "wall_hexahedra.prm",
@@ -46,12 +48,15 @@ CASES = [
     ("space, hexahedra, APIC", "wall_hexahedra.prm",
      [*CUBES, "End time=0.05", "Scheme/Velocity update=APIC",
       "Scheme/Gradient damping rate=1000"]),
+    ("space, moving least squares, METIS, USF", "wall.prm",
+     [COARSE, "End time=0.02", METIS, "Scheme/Stress order=USF",
+      "Scheme/Averaging=moving least squares"]),
     ("space, FMPM", "wall.prm",
      [COARSE, "End time=0.02", "Scheme/Velocity update=FMPM"]),
     ("plane, USF", "wall_2d.prm", ["End time=0.02", "Scheme/Stress order=USF"]),
     ("space, METIS, USL", "wall.prm",
      [COARSE, "End time=0.02", METIS, "Scheme/Stress order=USL"])]
-for number, (name, file, settings) in enumerate(CASES[:4] if IS_DEBUG else
+for number, (name, file, settings) in enumerate(CASES[:5] if IS_DEBUG else
                                                 CASES):
     settings = [*settings, "Output/Interval=0"]
     one = run(INPUTS / file, *settings)

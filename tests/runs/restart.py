@@ -107,11 +107,12 @@ interrupt("2D", 2)
 interrupt("3D", 3)
 SCHEMES = (["Scheme/Mass matrix=near-consistent"],
            ["Scheme/Averaging=nodes", "Scheme/Pressure filter rate=100"],
+           ["Scheme/Averaging=moving least squares"],
            ["Scheme/Stress order=USF", "Scheme/Averaging=nodes"],
            ["Scheme/Velocity update=APIC", "Scheme/Averaging=nodes",
             "Scheme/Position shift rate=10"],
            ["Time step/Type=fixed", "Time step/Fixed step=2e-4"])
-for scheme in SCHEMES[:2] if IS_DEBUG else SCHEMES:
+for scheme in SCHEMES[:3] if IS_DEBUG else SCHEMES:
     interrupt(" ".join(scheme), 2, tuple(scheme))
 if os.environ.get("MPM_MPIEXEC"):
     RANKS = [(2, "simplices"), (3, "hypercubes")]

@@ -6,7 +6,9 @@
 #include <mpm_granular/core/archive.h>
 #include <mpm_granular/grid/cell_sums.h>
 #include <mpm_granular/grid/hanging_slots.h>
+#include <mpm_granular/grid/node_sums.h>
 #include <mpm_granular/grid/shared_sums.h>
+#include <mpm_granular/grid/spread_sums.h>
 #include <mpm_granular/mesh/background_mesh.h>
 
 #include <utility>
@@ -15,16 +17,6 @@
 
 namespace mpm_granular::Grid
 {
-  /// What a node receives from the points.
-  template <int dim>
-  struct NodeSums
-  {
-    double                 mass = 0.; ///< [kg]
-    dealii::Tensor<1, dim> momentum;  ///< [kg m/s]
-    dealii::Tensor<1, dim> force;     ///< internal force [N]
-    dealii::Tensor<1, dim> load;      ///< tractions, forces of place [N]
-  };
-
   /// What the points receive from a node, side by side because it is read
   /// together.
   template <int dim>
@@ -72,7 +64,8 @@ namespace mpm_granular::Grid
   /**
    * The fields of the grid on *active* cells and nodes only: cells that hold
    * points, and their nodes. Both are stored compactly, in the order in which
-   * points meet them; a domain with more empty cells costs nothing here.
+   * points meet them; a domain with more empty cells costs nothing here. Nodes
+   * of other cells are active if shape functions reach them (SpreadSums).
    *
    * On several MPI ranks, each has the cells and nodes around its own points.
    * Cells keep the contributions of these points; nodes get the sums over all
@@ -102,6 +95,7 @@ namespace mpm_granular::Grid
     {
       active_cells.clear();
       visit([](auto &cells) { cells.sums.clear(); });
+      spread.clear();
     }
 
     /// Calls @p action with the ActiveCells of the mesh's kind of cells.
@@ -162,10 +156,11 @@ namespace mpm_granular::Grid
              active_cells[cell_slot[cell]] == cell;
     }
 
-    /// Sets the stress sums of all active cells to zero.
+    /// Sets the sums of all stresses to zero.
     void
     clear_stresses()
     {
+      spread.clear_forces();
       visit([](auto &cells) {
         for (auto &sums : cells.sums)
           sums.internal = {};
@@ -173,7 +168,8 @@ namespace mpm_granular::Grid
     }
 
     /// Makes the nodes of the active cells the active nodes and sums their
-    /// mass, momentum and internal force from the cells (T9) of all ranks.
+    /// mass, momentum and internal force (T9) over all ranks: from the cells,
+    /// and what points have given to nodes directly.
     void
     gather_nodes();
 
@@ -202,6 +198,9 @@ namespace mpm_granular::Grid
     void
     add_mass_times(const std::vector<dealii::Tensor<1, dim>> &field,
                    std::vector<dealii::Tensor<1, dim>>       &result);
+
+    /// What points have given to nodes directly, not by their cells.
+    SpreadSums<dim> spread;
 
     /// Slots of vertices at hanging nodes.
     HangingSlots hanging;

@@ -57,9 +57,12 @@ namespace mpm_granular::Mesh
     };
 
     /// Shares the cells out evenly.
+    /// @param acts_beyond_cells whether points meet not only the nodes of their
+    ///   cells but also those of the cells around; on simplices only.
     Partition(const PartitionParameters &parameters,
               BackgroundMesh<dim>       &mesh,
-              const MPI_Comm             communicator);
+              const MPI_Comm             communicator,
+              const bool                 acts_beyond_cells = false);
 
     /**
      * Shares the cells out anew; flat indices of cells and nodes of a
@@ -119,6 +122,9 @@ namespace mpm_granular::Mesh
     /// The largest number of points of a rank over the mean, less one, above
     /// which it is worth to distribute anew.
     const double largest_imbalance;
+
+    /// Whether points meet the nodes of the cells around theirs.
+    const bool acts_beyond_cells;
 
   private:
     void

@@ -51,6 +51,14 @@ namespace mpm_granular::Transfer
       return false;
     }
 
+    /// What points give to nodes, and that gradients give it back (T68), are
+    /// properties of linear functions.
+    bool
+    handles_wide_functions() const override
+    {
+      return false;
+    }
+
     double
     pic_factor(const double time_step) const override;
 

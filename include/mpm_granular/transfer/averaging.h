@@ -7,7 +7,9 @@
 #include <mpm_granular/mesh/partition.h>
 #include <mpm_granular/parameters/parameter_group.h>
 #include <mpm_granular/transfer/filling.h>
+#include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/point_block.h>
+#include <mpm_granular/transfer/points_to_grid.h>
 
 #include <vector>
 
@@ -16,12 +18,14 @@ namespace mpm_granular::Transfer
   /**
    * How the stresses of points become forces of nodes, and the velocities of
    * nodes become velocity gradients of points: from the cell of each point
-   * alone, or as means over what is around (section 4 of doc/theory.md).
+   * alone, or as means over what is around (section 2 of doc/theory.md). One
+   * with shape functions of its own also does what these are for: it sums
+   * masses and momenta and moves the points.
    *
-   * In a step: clear(), add_volumes() and add_stresses() of every block of
-   * points, find_weights() on the active nodes, find_forces(); and when the
-   * straining velocities are known, find_gradients() and evaluate() every
-   * block.
+   * In a step: clear(), add_mass_and_momentum(), add_volumes() and
+   * add_stresses() of every block of points, find_weights() on the active
+   * nodes, find_forces(); and when the velocities are known, find_gradients(),
+   * and evaluate() and move_points() every block.
    */
   template <int dim>
   class Averaging : public Parameters::ParameterGroup
@@ -39,6 +43,14 @@ namespace mpm_granular::Transfer
            const Mesh::Partition<dim>      &partition,
            const std::vector<double>       &largest_specific_volume) = 0;
 
+    /// Whether shape functions are its own and reach beyond the cells of the
+    /// points, to the nodes of the cells around them.
+    virtual bool
+    reaches_beyond_cells() const
+    {
+      return false;
+    }
+
     /// Forgets the sums over the points.
     virtual void
     clear()
@@ -48,6 +60,17 @@ namespace mpm_granular::Transfer
     virtual void
     clear_stresses()
     {}
+
+    /// Adds mass and momentum of a block's points to the sums of their host
+    /// cells, which become active (T9).
+    virtual void
+    add_mass_and_momentum(const Mesh::BackgroundMesh<dim> &mesh,
+                          const Points::PointArrays<dim>  &points,
+                          const PointBlock<dim>           &block,
+                          Grid::NodalFields<dim>          &fields)
+    {
+      Transfer::add_mass_and_momentum(mesh, points, block, fields);
+    }
 
     /// Adds the volumes of a block's points to the sums of their host cells,
     /// which are active; with the block's shape values.
@@ -92,6 +115,19 @@ namespace mpm_granular::Transfer
     evaluate(const Grid::NodalFields<dim>   &fields,
              const Points::PointArrays<dim> &points,
              PointBlock<dim>                &block) const = 0;
+
+    /// Moves the points of a block with the grid and updates their velocities,
+    /// see Transfer::move_points().
+    virtual void
+    move_points(const Mesh::BackgroundMesh<dim> &mesh,
+                const Grid::NodalFields<dim>    &fields,
+                PointBlock<dim>                 &block,
+                const double                     time_step,
+                const double                     pic_factor,
+                Points::PointArrays<dim>        &points) const
+    {
+      Transfer::move_points(mesh, fields, block, time_step, pic_factor, points);
+    }
 
     /**
      * The power of the nodal forces on the straining velocities, less that of

@@ -66,6 +66,13 @@ namespace mpm_granular::Transfer
       return false;
     }
 
+    /// Whether shape functions may reach beyond the cells of the points.
+    virtual bool
+    handles_wide_functions() const
+    {
+      return true;
+    }
+
     /// Names of the numbers that each point keeps for the scheme.
     virtual std::vector<std::string>
     history_names() const
