@@ -201,11 +201,11 @@ four fifths of its height.
             column)))
     suite.table(header("a = 1, 30°"), rows)
     suite.text("""
-Run-outs of all but the tallest are too short, and grow with the number of cells: the toe of a round deposit is
-thinner than a cell over much of its length, and on a rough floor a layer of one cell
-cannot slide. They are to be read together with the columns in plane strain above, on
-finer meshes. Heights are those of points, which lie up to half a cell, 0.05 R, below the
-surface.
+Run-outs of all but the tallest are too short, and grow with the number of cells: the
+toe of a round deposit is thinner than a cell over much of its length, and on a rough
+floor a layer of one cell cannot slide. They are to be read together with the columns in
+plane strain above, on finer meshes. Heights are those of points, which lie up to half a
+cell, 0.05 R, below the surface.
 """)
 
 
