@@ -11,6 +11,8 @@ from .style import pyplot
 LINES = [("#0072B2", "o"), ("#D55E00", "s"), ("#009E73", "^"), ("#CC79A7", "D"),
          ("#E69F00", "v"), ("#56B4E9", "P"), ("#000000", "x")]
 
+HEIGHT = 3.9  # of figures [inches]
+
 
 def line_style(index):
     """Colour, marker and dashes of line number `index`."""
@@ -47,14 +49,16 @@ def draw_convergence(axes, series, orders=(), size_label="size of cells h [m]",
     if len(series) <= 4:
         axes.legend(fontsize=9)
     else:
+        # Room for the lines of the legend, or labels beside the axes are cut.
+        axes.figure.set_figheight(HEIGHT + .12 * len(series))
         axes.legend(fontsize=8, ncol=2, loc="upper center",
-                    bbox_to_anchor=(.5, -.22))
+                    bbox_to_anchor=(.5, -.2))
 
 
 def new_figure(n_panels=1):
     """A figure with panels side by side."""
     figure, axes = pyplot.subplots(1, n_panels, squeeze=False,
-                                   figsize=(5.6 * n_panels, 3.9))
+                                   figsize=(5.6 * n_panels, HEIGHT))
     return figure, list(axes[0])
 
 
