@@ -252,9 +252,10 @@ namespace mpm_granular::Mesh
       }
     if (!is_distributed())
       return;
-    IndexSet known(dofs.n_dofs());
-    for (const auto global : global_nodes)
-      known.add_index(global);
+    IndexSet      known(dofs.n_dofs());
+    GlobalIndices sorted = global_nodes; // or adding them takes long
+    std::sort(sorted.begin(), sorted.end());
+    known.add_indices(sorted.begin(), sorted.end());
     LinearAlgebra::distributed::Vector<double> sums(dofs.locally_owned_dofs(),
                                                     known,
                                                     communicator);

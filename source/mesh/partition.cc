@@ -36,6 +36,39 @@ namespace mpm_granular::Mesh
           list.push_back(rank);
     }
 
+    /// The nodes of a distributed mesh that other ranks may know too: those of
+    /// cells that have a node in common with a ghost cell.
+    template <int dim>
+    std::vector<unsigned int>
+    nodes_near_ghosts(const BackgroundMesh<dim> &mesh)
+    {
+      std::vector<bool> of_ghosts(mesh.n_nodes(), false);
+      const auto mark = [&](const unsigned int cell, std::vector<bool> &marks) {
+        for (const unsigned int node : mesh.nodes(cell))
+          marks[node] = true;
+        for (const unsigned int node : mesh.free_nodes(cell))
+          marks[node] = true;
+      };
+      for (unsigned int cell = mesh.n_own_cells(); cell < mesh.n_cells();
+           ++cell)
+        mark(cell, of_ghosts);
+
+      std::vector<bool> are_near = of_ghosts;
+      for (unsigned int cell = 0; cell < mesh.n_own_cells(); ++cell)
+        {
+          const auto nodes = mesh.free_nodes(cell);
+          if (std::any_of(nodes.begin(), nodes.end(), [&](const auto node) {
+                return of_ghosts[node];
+              }))
+            mark(cell, are_near);
+        }
+      std::vector<unsigned int> result;
+      for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
+        if (are_near[node])
+          result.push_back(node);
+      return result;
+    }
+
     /// Adds to the ranks known at each node of a distributed mesh those that
     /// others know of.
     template <int dim>
@@ -51,7 +84,7 @@ namespace mpm_granular::Mesh
 
       GlobalIndices                            known;
       std::unordered_map<Global, unsigned int> local;
-      for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
+      for (const unsigned int node : nodes_near_ghosts(mesh))
         {
           known.push_back(mesh.global_node(node));
           local[known.back()] = node;

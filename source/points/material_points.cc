@@ -273,11 +273,11 @@ namespace mpm_granular::Points
 
   template <int dim>
   std::vector<std::uint32_t>
-  MaterialPoints<dim>::count_by_cell() const
+  MaterialPoints<dim>::count_by_cell(const std::uint32_t weight) const
   {
     std::vector<std::uint32_t> counts(mesh.n_cells(), 0);
     for (const unsigned int cell : working_set.cell)
-      ++counts[cell];
+      counts[cell] += weight;
     if (!mesh.is_distributed())
       Utilities::MPI::sum(counts, partition.communicator, counts);
     return counts;

@@ -119,8 +119,9 @@ namespace mpm_granular::Points
 
     /// The number of points in each cell, over all ranks; of a distributed mesh
     /// only those of this rank. Collective.
+    /// @param weight how often each of the points of this rank counts.
     std::vector<std::uint32_t>
-    count_by_cell() const;
+    count_by_cell(const std::uint32_t weight = 1) const;
 
     /// Divides points where a cell has some but fewer than a number
     /// (Points::split), gives the new ones ids, and orders. All points must be

@@ -308,7 +308,7 @@ namespace mpm_granular::Solver
     void
     balance();
     void
-    redistribute();
+    redistribute(const std::uint32_t weight_of_point = 1);
     void
     reinit_on_mesh();
     void
