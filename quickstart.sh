@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 
 packages=(
-  g++ cmake ninja-build ccache git                       # build
+  g++ cmake ninja-build ccache mold git                  # build
   libdeal.ii-dev libboost-program-options-dev
   numdiff perl gmsh                                      # tests
   python3 python3-numpy python3-matplotlib python3-vtk9  # pictures, tests
@@ -43,8 +43,7 @@ install_packages() {
   # shellcheck source=/dev/null
   release=$(. /etc/os-release && echo "${ID:-unknown} ${VERSION_ID:-}")
   case $release in
-    "debian 12") ;;
-    "debian 13") packages+=(mold) ;; # its deal.II links with -fuse-ld=mold
+    "debian 12" | "debian 13") ;;
     *) say "Untried on this system ($release); tried on Debian 12 and 13" ;;
   esac
 

@@ -51,6 +51,17 @@ if(MPM_SANITIZE)
     -fsanitize=address,undefined)
 endif()
 
+# The linker that Debian's deal.II asks for takes seconds for each test program,
+# mold some hundredths.
+find_program(MOLD_EXECUTABLE mold)
+if(MOLD_EXECUTABLE AND NOT CMAKE_VERSION VERSION_LESS 3.18)
+  include(CheckLinkerFlag)
+  check_linker_flag(CXX -fuse-ld=mold MPM_LINKS_WITH_MOLD)
+  if(MPM_LINKS_WITH_MOLD)
+    target_link_options(mpm_granular_flags INTERFACE -fuse-ld=mold)
+  endif()
+endif()
+
 if(MPM_PCH AND CMAKE_VERSION VERSION_LESS 3.16)
   message(STATUS "Precompiled headers: off (they need CMake 3.16)")
   set(MPM_PCH OFF)

@@ -1,5 +1,6 @@
 #include <mpm_granular/core/vectorize.h>
 #include <mpm_granular/materials/drucker_prager_viscoplastic.h>
+#include <mpm_granular/materials/pressure_relaxation.h>
 #include <mpm_granular/materials/return_mapping.h>
 #include <mpm_granular/materials/stress_columns.h>
 
@@ -206,32 +207,25 @@ namespace mpm_granular::Materials
   template <int dim>
   double
   DruckerPragerViscoplastic<dim>::relax_pressure(
-    Points::PointArrays<dim>  &points,
-    const Points::Run          run,
-    const std::vector<double> &target,
-    const double               fraction) const
+    Points::PointArrays<dim> &points,
+    const Points::Run         run,
+    const double             *target,
+    const double              fraction) const
   {
-    double             released_energy = 0.;
+    const auto  &moduli = parameters.moduli();
+    const double released =
+      Materials::relax_pressure(points, run, target, fraction, 0., moduli);
+
+    double            *log_ratio  = points.history[log_volume_ratio].data();
+    const double       negligible = negligible_pressure(moduli);
     StressColumns<dim> stress(points, 0);
+    MPM_INDEPENDENT_ITERATIONS
     for (unsigned int i = run.begin; i < run.end; ++i)
       {
-        const Stress<dim> old          = stress.load(i);
-        const double      old_pressure = pressure(old);
-        if (old_pressure <= 0.)
-          continue;
-        const double new_pressure =
-          old_pressure + fraction * (target[i - run.begin] - old_pressure);
-        Stress<dim> scaled = deviator(old);
-        for (double &component : scaled)
-          component *= new_pressure / old_pressure;
-        stress.store(i, scaled, new_pressure);
-        points.history[log_volume_ratio][i] =
-          -new_pressure / parameters.moduli().bulk();
-        released_energy +=
-          points.volume[i] * (elastic_energy_density(old) -
-                              elastic_energy_density(stress.load(i)));
+        const double p = pressure(stress.load(i));
+        log_ratio[i]   = p > negligible ? -p / moduli.bulk() : log_ratio[i];
       }
-    return released_energy;
+    return released;
   }
 
 

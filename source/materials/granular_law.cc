@@ -1,5 +1,6 @@
 #include <mpm_granular/core/vectorize.h>
 #include <mpm_granular/materials/granular_law.h>
+#include <mpm_granular/materials/pressure_relaxation.h>
 #include <mpm_granular/materials/stress_columns.h>
 #include <mpm_granular/parameters/pattern_text.h>
 
@@ -133,33 +134,13 @@ namespace mpm_granular::Materials
 
   template <int dim>
   double
-  GranularLaw<dim>::relax_pressure(Points::PointArrays<dim>  &points,
-                                   const Points::Run          run,
-                                   const std::vector<double> &target,
-                                   const double               fraction) const
+  GranularLaw<dim>::relax_pressure(Points::PointArrays<dim> &points,
+                                   const Points::Run         run,
+                                   const double             *target,
+                                   const double              fraction) const
   {
-    double       released_energy = 0.;
-    const double apex            = apex_tension();
-    // Below, pressure and deviator are round-off, which would be magnified.
-    const double       negligible = 1e-12 * moduli.bulk();
-    StressColumns<dim> stress(points, 0);
-    for (unsigned int i = run.begin; i < run.end; ++i)
-      {
-        const Stress<dim> old          = stress.load(i);
-        const double      old_pressure = pressure(old);
-        if (old_pressure <= negligible)
-          continue;
-        const double new_pressure =
-          old_pressure + fraction * (target[i - run.begin] - old_pressure);
-        Stress<dim> scaled = deviator(old);
-        for (double &component : scaled)
-          component *= (new_pressure + apex) / (old_pressure + apex);
-        stress.store(i, scaled, new_pressure);
-        released_energy +=
-          points.volume[i] * (elastic_energy_density(old) -
-                              elastic_energy_density(stress.load(i)));
-      }
-    return released_energy;
+    return Materials::relax_pressure(
+      points, run, target, fraction, apex_tension(), moduli);
   }
 
 

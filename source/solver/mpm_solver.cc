@@ -63,8 +63,8 @@ namespace mpm_granular::Solver
   void
   MPMSolver<dim>::smooth_pressures()
   {
-    // Noise grows over some steps; a fifth of it at a time costs little.
-    constexpr double part = 0.2;
+    // Noise grows over some steps; a quarter of it at a time costs little.
+    constexpr double part = 0.25;
     if (parameters.transfer.filter_fraction(since_filter) < part)
       return;
     ledger.filter_loss +=

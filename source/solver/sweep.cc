@@ -65,12 +65,26 @@ namespace mpm_granular::Solver
 
   template <int dim>
   void
-  Sweep<dim>::add_stresses_again(Points::PointArrays<dim> &points,
-                                 Grid::NodalFields<dim>   &fields)
+  Sweep<dim>::find_shape_values(Points::PointArrays<dim> &points)
   {
-    // The points stay where they are; this finds their shape values.
     Transfer::relocate(mesh, partition, points, block);
-    averaging.add_stresses(points, block, fields);
+  }
+
+  template <int dim>
+  template <class Action>
+  void
+  Sweep<dim>::for_each_law(const Points::PointArrays<dim> &points,
+                           const std::vector<Points::Run> &runs,
+                           Action                        &&action)
+  {
+    const unsigned int n_runs = runs.size();
+    for (unsigned int first = 0, last = 0; first < n_runs; first = last)
+      {
+        const unsigned int material = points.material[runs[first].begin];
+        while (last < n_runs && points.material[runs[last].begin] == material)
+          ++last;
+        action(*laws[material], first, last);
+      }
   }
 
   template <int dim>
@@ -78,23 +92,21 @@ namespace mpm_granular::Solver
   Sweep<dim>::update_stresses(Points::PointArrays<dim> &points,
                               const double              time_step)
   {
-    double             dissipated = 0.;
-    const auto        &strained   = block.strained;
-    const unsigned int n_runs     = strained.size();
-    for (unsigned int first = 0, last = 0; first < n_runs; first = last)
-      {
-        const unsigned int material = points.material[strained[first].begin];
-        while (last < n_runs &&
-               points.material[strained[last].begin] == material)
-          ++last;
-        dissipated += Materials::update_stress(
-          *laws[material],
-          points,
-          make_array_view(strained.cbegin() + first, strained.cbegin() + last),
-          make_array_view(block.gradients.cbegin() + first,
-                          block.gradients.cbegin() + last),
-          time_step);
-      }
+    double      dissipated = 0.;
+    const auto &strained   = block.strained;
+    const auto &gradients  = block.gradients;
+    for_each_law(points,
+                 strained,
+                 [&](const auto &law, const auto first, const auto last) {
+                   dissipated += Materials::update_stress(
+                     law,
+                     points,
+                     make_array_view(strained.cbegin() + first,
+                                     strained.cbegin() + last),
+                     make_array_view(gradients.cbegin() + first,
+                                     gradients.cbegin() + last),
+                     time_step);
+                 });
     return dissipated;
   }
 
@@ -143,7 +155,8 @@ namespace mpm_granular::Solver
     for_each_block(points, [&] {
       averaging.evaluate(fields, points, block);
       dissipated += update_stresses(points, time_step);
-      add_stresses_again(points, fields);
+      find_shape_values(points);
+      averaging.add_stresses(points, block, fields);
     });
     return dissipated;
   }
@@ -170,31 +183,33 @@ namespace mpm_granular::Solver
                                Grid::NodalFields<dim>   &fields,
                                const double              fraction)
   {
-    const auto law_of = [&](const Points::Run run) -> auto &
-    {
-      return *laws[points.material[run.begin]];
-    };
     filter.reinit(fields);
     for_each_block(points, [&] {
+      find_shape_values(points);
       for (const auto &run : block.runs)
-        if (law_of(run).has_smoothable_pressure())
-          filter.add(fields, points, run);
+        if (laws[points.material[run.begin]]->has_smoothable_pressure())
+          filter.add(fields, points, block, run);
     });
     filter.find_gradients(fields);
 
     double released_energy = 0.;
     clear_stresses(fields);
     for_each_block(points, [&] {
-      for (const auto &run : block.runs)
-        if (law_of(run).has_smoothable_pressure())
-          {
-            filter.evaluate(fields, points, run, smooth_pressure);
-            released_energy += law_of(run).relax_pressure(points,
-                                                          run,
-                                                          smooth_pressure,
-                                                          fraction);
-          }
-      add_stresses_again(points, fields);
+      find_shape_values(points);
+      filter.evaluate(fields, points, block, smooth_pressure);
+      for_each_law(points,
+                   block.runs,
+                   [&](const auto &law, const auto first, const auto last) {
+                     const Points::Run range{block.runs[first].begin,
+                                             block.runs[last - 1].end};
+                     released_energy +=
+                       law.relax_pressure(points,
+                                          range,
+                                          smooth_pressure.data() +
+                                            (range.begin - block.begin),
+                                          fraction);
+                   });
+      averaging.add_stresses(points, block, fields);
     });
     return released_energy;
   }

@@ -1,6 +1,8 @@
+#include <mpm_granular/transfer/point_groups.h>
 #include <mpm_granular/transfer/pressure_filter.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace mpm_granular::Transfer
 {
@@ -28,32 +30,51 @@ namespace mpm_granular::Transfer
   void
   PressureFilter<dim>::add(const Grid::NodalFields<dim>   &fields,
                            const Points::PointArrays<dim> &points,
+                           const PointBlock<dim>          &block,
                            const Points::Run               run)
   {
+    const auto place        = pointers(points.position);
+    const auto shape_values = pointers(block.shape_values);
     mesh.visit([&](const auto &cells) {
       using Cell = typename std::decay_t<decltype(cells)>::value_type;
-      const Cell        &cell  = cells[points.cell[run.begin]];
-      const unsigned int slot  = fields.slot_of_cell(points.cell[run.begin]);
-      const auto        &slots = fields.template cells<Cell>().nodes[slot];
+      constexpr unsigned int n_nodes = Cell::n_nodes;
+
+      // Lanes of nodes; where a cell has fewer, the last have no meaning.
+      constexpr unsigned int n_lanes = (n_nodes + Lanes::n - 1) / Lanes::n;
+      Lanes                  sums[n_means][n_lanes] = {};
+      double                 in_contact             = 0.;
       for (unsigned int p = run.begin; p < run.end; ++p)
         {
           const double point_pressure = points.pressure(p);
-          if (point_pressure <= 0.)
-            continue;
-          const double     point_volume = points.volume[p];
-          const Point<dim> x            = points.location(p);
-          const auto       shape_values = cell.shape_values(x);
-          cell_volume[slot] += point_volume;
-          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+          const double point_volume =
+            point_pressure > 0. ? points.volume[p] : 0.;
+          in_contact += point_volume;
+          for (unsigned int l = 0; l < n_lanes; ++l)
             {
-              const double share = shape_values[k] * point_volume;
-              std::array<double, n_means> part;
-              part[volume]   = share;
-              part[pressure] = share * point_pressure;
+              const auto shape_value = [&](const unsigned int k) {
+                return shape_values[Lanes::n * l + k][p - block.begin];
+              };
+              const Lanes share = Lanes(shape_value(0),
+                                        shape_value(1),
+                                        shape_value(2),
+                                        shape_value(3)) *
+                                  point_volume;
+              sums[volume][l] += share;
+              sums[pressure][l] += share * point_pressure;
               for (unsigned int d = 0; d < dim; ++d)
-                part[center + d] = share * x[d];
-              fields.hanging.add_at(means, slots[k], part);
+                sums[center + d][l] += share * place[d][p];
             }
+        }
+
+      const unsigned int slot  = fields.slot_of_cell(points.cell[run.begin]);
+      const auto        &slots = fields.template cells<Cell>().nodes[slot];
+      cell_volume[slot] += in_contact;
+      for (unsigned int k = 0; k < n_nodes; ++k)
+        {
+          std::array<double, n_means> part;
+          for (unsigned int m = 0; m < n_means; ++m)
+            part[m] = sums[m][k / Lanes::n].data[k % Lanes::n];
+          fields.hanging.add_at(means, slots[k], part);
         }
     });
   }
@@ -119,54 +140,82 @@ namespace mpm_granular::Transfer
 
 
   template <int dim>
-  void
-  PressureFilter<dim>::evaluate(const Grid::NodalFields<dim>   &fields,
-                                const Points::PointArrays<dim> &points,
-                                const Points::Run               run,
-                                std::vector<double> &smooth_pressure) const
+  template <class Slots>
+  auto
+  PressureFilter<dim>::gradients_at(const Slots &slots) const
   {
-    mesh.visit([&](const auto &cells) {
-      using Cell = typename std::decay_t<decltype(cells)>::value_type;
-      const Cell        &cell = cells[points.cell[run.begin]];
-      const unsigned int slot_of_cell =
-        fields.slot_of_cell(points.cell[run.begin]);
-      const auto &slots = fields.template cells<Cell>().nodes[slot_of_cell];
-
-      // Where all cells around a node are too poor in points for a gradient,
-      // that of the other nodes of the cell stands in.
-      std::array<std::array<double, dim>, Cell::n_nodes> gradients{};
-      std::array<double, dim>                            others{};
-      double                                             others_weight = 0.;
-      for (const unsigned int slot : slots)
-        {
-          others_weight += slopes[slot][weight];
-          for (unsigned int d = 0; d < dim; ++d)
-            others[d] += slopes[slot][weight] * slopes[slot][gradient + d];
-        }
-      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+    // Where all cells around a node are too poor in points for a gradient, that
+    // of the other nodes of the cell stands in.
+    std::array<Tensor<1, dim>, std::tuple_size<Slots>::value> result;
+    Tensor<1, dim>                                            others;
+    double                                                    total   = 0.;
+    unsigned int                                              n_known = 0;
+    for (unsigned int k = 0; k < slots.size(); ++k)
+      {
+        const auto &slope = slopes[slots[k]];
+        n_known += slope[weight] > 0.;
+        total += slope[weight];
         for (unsigned int d = 0; d < dim; ++d)
-          if (slopes[slots[k]][weight] > 0.)
-            gradients[k][d] = slopes[slots[k]][gradient + d];
-          else if (others_weight > 0.)
-            gradients[k][d] = others[d] / others_weight;
+          {
+            result[k][d] = slope[gradient + d];
+            others[d] += slope[weight] * slope[gradient + d];
+          }
+      }
+    if (n_known > 0)
+      for (unsigned int k = 0; k < slots.size() && n_known < slots.size(); ++k)
+        if (!(slopes[slots[k]][weight] > 0.))
+          result[k] = others / total;
+    return result;
+  }
 
-      smooth_pressure.resize(run.end - run.begin);
-      for (unsigned int p = run.begin; p < run.end; ++p)
+
+
+  template <int dim>
+  void
+  PressureFilter<dim>::evaluate(
+    const Grid::NodalFields<dim>    &fields,
+    const Points::PointArrays<dim>  &points,
+    const PointBlock<dim>           &block,
+    typename PointBlock<dim>::Array &smooth_pressure) const
+  {
+    const unsigned int n_points     = points.size();
+    const auto         place        = pointers(points.position);
+    const auto         shape_values = pointers(block.shape_values);
+    smooth_pressure.resize(block.shape_values[0].size());
+    mesh.visit([&](const auto &cells) {
+      using Cell         = typename std::decay_t<decltype(cells)>::value_type;
+      const auto &active = fields.template cells<Cell>();
+      for (const auto &run : block.runs)
         {
-          const Point<dim> x            = points.location(p);
-          const auto       shape_values = cell.shape_values(x);
-          double           sum          = 0.;
+          const auto &slots =
+            active.nodes[fields.slot_of_cell(points.cell[run.begin])];
+          const auto gradients = gradients_at(slots);
+          double     at_origin[Cell::n_nodes];
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
             {
-              const auto &node      = means[slots[k]];
-              double      from_node = node[pressure];
+              const auto &node = means[slots[k]];
+              at_origin[k]     = node[pressure];
               for (unsigned int d = 0; d < dim; ++d)
-                from_node += gradients[k][d] * (x[d] - node[center + d]);
-              sum += shape_values[k] * from_node;
+                at_origin[k] -= gradients[k][d] * node[center + d];
             }
-          smooth_pressure[p - run.begin] = std::max(sum, 0.);
+          for_each_group(run, n_points, [&](const auto type, const auto p) {
+            using Number         = std::decay_t<decltype(type)>;
+            const unsigned int i = p - block.begin;
+            const auto         x = load_all<Number>(place, p);
+            Number             sum(0.);
+            for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+              {
+                Number from_node(at_origin[k]);
+                for (unsigned int d = 0; d < dim; ++d)
+                  from_node += gradients[k][d] * x[d];
+                sum += load<Number>(shape_values[k] + i) * from_node;
+              }
+            store(sum, smooth_pressure.data() + i);
+          });
         }
     });
+    for (double &value : smooth_pressure)
+      value = std::max(value, 0.);
   }
 
   template class PressureFilter<2>;

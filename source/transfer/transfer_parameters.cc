@@ -25,7 +25,8 @@ namespace mpm_granular::Transfer
       pressure_filter_rate,
       "Rate at which the pressures of points in contact relax to a smooth "
       "field, which removes pressure noise (granular laws only). 0: never; "
-      "0.2 times wave speed over cell size is a good value for flows. "
+      "0.8 times wave speed over cell size is a good value for flows "
+      "with 'Averaging = cells', 0.2 to 0.3 times with others. "
       "Units: 1/s.",
       Patterns::Double(0.));
   }

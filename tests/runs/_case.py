@@ -10,6 +10,8 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "scripts"))
 from _program import INPUTS, Checks, Folder  # noqa: E402,F401
 
+IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
+
 SAND = """
   set Law             = Drucker-Prager viscoplastic
   set Density         = 1500

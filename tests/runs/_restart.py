@@ -12,12 +12,11 @@ import signal
 import subprocess
 import time
 
-from _case import (Checks, Folder, body, boundaries, box, on_ranks,
+from _case import (IS_DEBUG, Checks, Folder, body, boundaries, box, on_ranks,
                    points_per_cell)
 from _program import PROGRAM, TIME_LIMIT
 
 checks = Checks()
-IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
 SEED = random.randrange(1000000)
 random.seed(SEED)
 RESULTS = ["observables.csv", "profile.csv", "points.*", "points/*", "grid.*",

@@ -8,10 +8,9 @@ import pathlib
 import subprocess
 import sys
 
-from _case import INPUTS, SQUARES, Checks, Folder, Result
+from _case import INPUTS, IS_DEBUG, SQUARES, Checks, Folder, Result
 
 checks = Checks()
-IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
 NOISE = (pathlib.Path(os.environ["MPM_SOURCE_DIR"]) / "scripts" /
          "pressure_noise.py")
 

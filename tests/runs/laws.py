@@ -7,12 +7,9 @@ friction must come as near to that; cohesion and more friction make a higher
 deposit.
 """
 
-import os
-
-from _case import Checks, body, boundaries, box, is_finite, run
+from _case import IS_DEBUG, Checks, body, boundaries, box, is_finite, run
 
 checks = Checks()
-IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
 END = .1 if IS_DEBUG else 1.6
 ELASTICITY = "set Density = 1500\nset Young modulus = 1e6\n"
 

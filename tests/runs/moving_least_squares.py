@@ -7,10 +7,9 @@ import pathlib
 import subprocess
 import sys
 
-from _case import INPUTS, SQUARES, Checks, Folder, Result, run
+from _case import INPUTS, IS_DEBUG, SQUARES, Checks, Folder, Result, run
 
 checks = Checks()
-IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
 WALL = INPUTS / "wall_2d.prm"
 SCHEME = "Scheme/Averaging=moving least squares"
 NOISE = (pathlib.Path(os.environ["MPM_SOURCE_DIR"]) / "scripts" /

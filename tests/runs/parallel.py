@@ -2,13 +2,10 @@
 steps, the same deposit; the load stays even; an error on one process ends all of
 them with one message and the exit code."""
 
-import os
-
-from _case import (ELASTIC, INPUTS, KINDS, SQUARES, Checks, body, boundaries, box,
-                   escaping_body, run)
+from _case import (ELASTIC, INPUTS, IS_DEBUG, KINDS, SQUARES, Checks, body, boundaries,
+                   box, escaping_body, run)
 
 checks = Checks()
-IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
 
 
 def check_same(name, one, other, columns, tolerance):

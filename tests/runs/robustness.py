@@ -5,12 +5,9 @@ moduli from 1e5 to 1e8, and some corners of that box. A collapse ends with less
 energy than it began with, and no speed is above that of free fall from the top by
 much."""
 
-import os
-
-from _case import INPUTS, SAND, Checks, body, boundaries, box, is_finite, run
+from _case import INPUTS, IS_DEBUG, SAND, Checks, body, boundaries, box, is_finite, run
 
 checks = Checks()
-IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
 
 
 def wall(dim):

@@ -2,13 +2,10 @@
 round-off; half of the step, and other orders of the stress update, end in the
 same deposit."""
 
-import os
-
-from _case import INPUTS, Checks, run
+from _case import INPUTS, IS_DEBUG, Checks, run
 
 checks = Checks()
 WALL = INPUTS / "wall_2d.prm"
-IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
 SHORT = "End time=0.1" if IS_DEBUG else "End time=0.3"
 
 lumped = run(WALL, SHORT, "Time step/CFL=0.3")

@@ -7,11 +7,10 @@ it bit for bit."""
 
 import os
 
-from _case import (INPUTS, KINDS, Checks, Folder, Result, body, boundaries, box,
-                   on_ranks, points_per_cell, rollers, run)
+from _case import (INPUTS, IS_DEBUG, KINDS, Checks, Folder, Result, body, boundaries,
+                   box, on_ranks, points_per_cell, rollers, run)
 
 checks = Checks()
-IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
 GRAVITY = 9.81
 STAGE = """
 subsection Initial equilibrium

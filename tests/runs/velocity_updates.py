@@ -2,13 +2,10 @@
 digit; the wall falls with them in plane and space, on simplices and hypercubes;
 what they cannot do is refused."""
 
-import os
-
-from _case import INPUTS, KINDS, SQUARES, Checks, run
+from _case import INPUTS, IS_DEBUG, KINDS, SQUARES, Checks, run
 
 checks = Checks()
 WALL = INPUTS / "wall_2d.prm"
-IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
 APIC, XPIC, FMPM = (f"Scheme/Velocity update={name}"
                     for name in ("APIC", "XPIC", "FMPM"))
 DAMPED = "Scheme/Gradient damping rate=1000"

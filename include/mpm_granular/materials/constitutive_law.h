@@ -92,7 +92,7 @@ namespace mpm_granular::Materials
     virtual double
     relax_pressure(Points::PointArrays<dim> & /*points*/,
                    const Points::Run /*run*/,
-                   const std::vector<double> & /*target*/,
+                   const double * /*target*/,
                    const double /*fraction*/) const
     {
       return 0.;

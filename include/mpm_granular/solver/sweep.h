@@ -101,11 +101,17 @@ namespace mpm_granular::Solver
                      Grid::NodalFields<dim>   &fields,
                      SweepResult              &result);
 
-    /// Sums the stresses of the block's points, which have not moved, to their
-    /// cells.
+    /// Sets the block's shape values, where its points have not moved.
     void
-    add_stresses_again(Points::PointArrays<dim> &points,
-                       Grid::NodalFields<dim>   &fields);
+    find_shape_values(Points::PointArrays<dim> &points);
+
+    /// Calls @p action(law, first, last) for runs [first, last) of points of
+    /// one law.
+    template <class Action>
+    void
+    for_each_law(const Points::PointArrays<dim> &points,
+                 const std::vector<Points::Run> &runs,
+                 Action                        &&action);
 
     /// Updates the stresses of the block, law by law.
     double
@@ -118,7 +124,8 @@ namespace mpm_granular::Solver
     const Transfer::VelocityUpdate<dim>                        &velocity_update;
     Transfer::PointBlock<dim>                                   block;
     Transfer::PressureFilter<dim>                               filter;
-    std::vector<double> smooth_pressure; ///< of the points of a run [Pa]
+    typename Transfer::PointBlock<dim>::Array
+      smooth_pressure; ///< of the points of the block [Pa]
   };
 } // namespace mpm_granular::Solver
 

@@ -5,7 +5,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <mpm_granular/grid/nodal_fields.h>
-#include <mpm_granular/points/point_arrays.h>
+#include <mpm_granular/transfer/point_block.h>
 
 #include <array>
 #include <vector>
@@ -34,25 +34,33 @@ namespace mpm_granular::Transfer
     void
     reinit(const Grid::NodalFields<dim> &fields);
 
-    /// Takes in the points of a run.
+    /// Takes in the points of a run of the block, whose shape values must be
+    /// those at their places.
     void
     add(const Grid::NodalFields<dim>   &fields,
         const Points::PointArrays<dim> &points,
+        const PointBlock<dim>          &block,
         const Points::Run               run);
 
     /// Makes means and gradients of what has been added on all ranks.
     void
     find_gradients(Grid::NodalFields<dim> &fields);
 
-    /// The smooth pressure [Pa], 0 or more, at the points of a run: entry i is
-    /// that of point run.begin + i. Meaningful for points in contact.
+    /// The smooth pressure [Pa], 0 or more, at the points of a block: entry i
+    /// is that of point block.begin + i. Meaningful for points in contact.
     void
-    evaluate(const Grid::NodalFields<dim>   &fields,
-             const Points::PointArrays<dim> &points,
-             const Points::Run               run,
-             std::vector<double>            &smooth_pressure) const;
+    evaluate(const Grid::NodalFields<dim>    &fields,
+             const Points::PointArrays<dim>  &points,
+             const PointBlock<dim>           &block,
+             typename PointBlock<dim>::Array &smooth_pressure) const;
 
   private:
+    /// Gradients of the pressure at the nodes of a cell, given by their slots
+    /// [Pa/m].
+    template <class Slots>
+    auto
+    gradients_at(const Slots &slots) const;
+
     /// Of a node, sums over the points in contact around it, weighted by N_ip
     /// V_p; then their means, but for the volume.
     enum Mean
