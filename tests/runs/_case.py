@@ -11,6 +11,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "scripts"))
 from _program import INPUTS, Checks, Folder  # noqa: E402,F401
 
 IS_DEBUG = os.environ.get("MPM_BUILD_TYPE") == "Debug"
+DIMENSIONS = (2,) if IS_DEBUG else (2, 3)  # 3D takes long in Debug
 
 SAND = """
   set Law             = Drucker-Prager viscoplastic

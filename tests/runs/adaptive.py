@@ -3,11 +3,10 @@ unchanged while they are refined and coarsened hundreds of times, a column rests
 on several levels, the collapse is that on the fine mesh, and all of it is the
 same on any number of processes."""
 
-from _case import (ELASTIC, IS_DEBUG, KINDS, Checks, body, boundaries, box, levels,
-                   points_per_cell, rollers, run)
+from _case import (DIMENSIONS, ELASTIC, IS_DEBUG, KINDS, Checks, body, boundaries, box,
+                   levels, points_per_cell, rollers, run)
 
 checks = Checks()
-DIMENSIONS = (2,) if IS_DEBUG else (2, 3)
 SIDES = ["x_min", "x_max", "y_min", "y_max", "z_min", "z_max"]
 
 

@@ -1,7 +1,7 @@
 """An unconstrained block: mass and momentum to round-off, and the centre of mass
 of symplectic Euler, x = x0 + v0 t + g t (t + dt)/2, in every scheme."""
 
-from _case import ELASTIC, IS_DEBUG, Checks, body, boundaries, box, run
+from _case import DIMENSIONS, ELASTIC, Checks, body, boundaries, box, run
 
 checks = Checks()
 SIDES = ["x_min", "x_max", "y_min", "y_max", "z_min", "z_max"]
@@ -38,7 +38,7 @@ SCHEMES = [["Scheme/Stress order=MUSL"], ["Scheme/Stress order=USL"],
            ["Scheme/Velocity update=FMPM", "Scheme/Stress order=USL"],
            ["Scheme/Mass matrix=near-consistent",
             "Scheme/Consistent part=0.5"]]
-for dim in (2,) if IS_DEBUG else (2, 3):
+for dim in DIMENSIONS:
     for scheme in SCHEMES:
         result = run(block(dim), *scheme)
         name = f"{dim}D {' '.join(scheme)}"

@@ -7,7 +7,7 @@ import itertools
 import math
 import os
 
-from _case import (ELASTIC, IS_DEBUG, KINDS, Checks, body, boundaries, box, levels,
+from _case import (DIMENSIONS, ELASTIC, KINDS, Checks, body, boundaries, box, levels,
                    points_per_cell, run)
 
 checks = Checks()
@@ -51,7 +51,7 @@ end
 # Small cells that stay behind: the block slides out of them.
 JUMPS = levels("1.5 - 4*abs(x - 0.5)", 1)
 
-for dim, kind in itertools.product((2,) if IS_DEBUG else (2, 3), KINDS):
+for dim, kind in itertools.product(DIMENSIONS, KINDS):
     for degrees, friction, mesh in ((30, .3, ""), (45, .5, ""), (30, .3, JUMPS)):
         angle = math.radians(degrees)
         result = run(block(dim, kind, angle, friction) + mesh)

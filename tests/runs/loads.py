@@ -6,7 +6,7 @@ interpolated exactly."""
 
 import itertools
 
-from _case import (ELASTIC, IS_DEBUG, KINDS, Checks, body, boundaries, box, levels,
+from _case import (DIMENSIONS, ELASTIC, KINDS, Checks, body, boundaries, box, levels,
                    points_per_cell, run)
 
 checks = Checks()
@@ -42,7 +42,7 @@ end
 """
 
 
-for dim, kind in itertools.product((2,) if IS_DEBUG else (2, 3), KINDS):
+for dim, kind in itertools.product(DIMENSIONS, KINDS):
     name = f"{dim}D, {kind}"
     zeros = "0; " * (dim - 1)
     # Pressure p = 1 kPa t: strain p/M, energy p^2/(2M) per volume.

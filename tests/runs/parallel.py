@@ -110,6 +110,14 @@ if not IS_DEBUG:
         checks.that(performance["largest_imbalance"] < .1 and
                     performance["redistributions"] > 0,
                     f"the load stays even, {kind}", str(performance))
+    # A process that gains points gets less than its share, so that shares last
+    # longer: with equal ones cells were shared out six times here, now three.
+    result = run(INPUTS / "wall_hexahedra.prm", "Output/Interval=1", "End time=0.7",
+                 ranks=2)
+    performance = result.manifest["performance"]
+    checks.that(0 < performance["redistributions"] <= 4 and
+                performance["largest_imbalance"] < .1,
+                "the shares last", str(performance))
 
 # One process has nothing to do, if there are more processes than cells.
 for kind in KINDS:
