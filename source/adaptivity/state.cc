@@ -30,10 +30,7 @@ namespace mpm_granular::Adaptivity
   double
   State<dim>::size(const unsigned int cell) const
   {
-    const double part_of_box = mesh.visit([](const auto &cells) {
-      return std::decay_t<decltype(cells)>::value_type::reference_volume;
-    });
-    return std::pow(mesh.cell_volume(cell) / part_of_box, 1. / dim);
+    return mesh.size_of_cell(mesh.cell_volume(cell));
   }
 
   template <int dim>

@@ -154,16 +154,18 @@ namespace mpm_granular::Grid
     add_cell(const Cell                                    &cell,
              const CellSums<Cell>                          &of_cell,
              const std::array<unsigned int, Cell::n_nodes> &slots,
+             const bool                                     with_forces,
              std::vector<NodeSums<dim>>                    &sums)
     {
       Grid::add_mass_and_momentum(of_cell, slots, sums);
-      Grid::add_forces(cell, of_cell.internal, slots, sums);
+      if (with_forces)
+        Grid::add_forces(cell, of_cell.internal, slots, sums);
     }
   } // namespace
 
   template <int dim>
   void
-  NodalFields<dim>::gather_nodes()
+  NodalFields<dim>::gather_nodes(const bool with_forces)
   {
     active_nodes.clear();
     sums.clear();
@@ -182,10 +184,10 @@ namespace mpm_granular::Grid
           const Cell &cell = cells[active_cells[c]];
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
             active.nodes[c][k] = activate_node(cell.node[k]);
-          add_cell(cell, active.sums[c], active.nodes[c], sums);
+          add_cell(cell, active.sums[c], active.nodes[c], with_forces, sums);
         }
     });
-    gather_at_hanging(at_hanging);
+    gather_at_hanging(at_hanging, with_forces);
     spread.for_each_node([&](const unsigned int node, const auto &given) {
       add_scaled(sums[activate_node(node)], 1., given);
     });
@@ -199,7 +201,8 @@ namespace mpm_granular::Grid
 
   template <int dim>
   void
-  NodalFields<dim>::gather_at_hanging(const std::vector<unsigned int> &slots)
+  NodalFields<dim>::gather_at_hanging(const std::vector<unsigned int> &slots,
+                                      const bool with_forces)
   {
     mesh.visit([&](const auto &cells) {
       using Cell = typename std::decay_t<decltype(cells)>::value_type;
@@ -211,7 +214,11 @@ namespace mpm_granular::Grid
         {
           const Cell &cell = cells[active_cells[c]];
           local.assign(Cell::n_nodes, {});
-          add_cell(cell, this->template cells<Cell>().sums[c], in_order, local);
+          add_cell(cell,
+                   this->template cells<Cell>().sums[c],
+                   in_order,
+                   with_forces,
+                   local);
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
             if (const auto *mean =
                   mesh.hanging_nodes().get_constraint_entries(cell.node[k]))

@@ -416,19 +416,16 @@ namespace mpm_granular::Mesh
 
     const double from_cells =
       sum(std::accumulate(volumes.begin(), volumes.begin() + n_own, 0.));
-    const double per_box     = visit([](const auto &cells) {
-      return std::decay_t<decltype(cells)>::value_type::reference_volume;
-    });
-    const int    finest      = tria->n_global_levels() - 1;
-    double       n_finest    = 0.;
-    double       from_finest = 0.;
+    const int finest      = tria->n_global_levels() - 1;
+    double    n_finest    = 0.;
+    double    from_finest = 0.;
     for (unsigned int cell = 0; cell < n_own; ++cell)
       if (iterators[cell]->level() == finest)
         {
           from_finest += volumes[cell];
           ++n_finest;
         }
-    mean_size = std::pow(sum(from_finest) / sum(n_finest) / per_box, 1. / dim);
+    mean_size = size_of_cell(sum(from_finest) / sum(n_finest));
 
     // The volume by the divergence theorem over the surface must be the sum of
     // the cells': a reader that garbles connectivity fails here.

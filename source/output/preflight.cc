@@ -40,14 +40,6 @@ namespace mpm_granular::Output
 
 
   double
-  Preflight::Material::wave_speed() const
-  {
-    return std::sqrt((bulk_modulus + 4. / 3. * shear_modulus) / density);
-  }
-
-
-
-  double
   Preflight::mean_points_per_cell() const
   {
     return n_filled_cells > 0 ? static_cast<double>(n_points) / n_filled_cells :
@@ -84,10 +76,11 @@ namespace mpm_granular::Output
         "The time step " + short_text(chosen_dt) + " s is " +
         count_text(std::round(stable_dt / chosen_dt)) +
         " times below the stability limit; the run takes that much longer.");
-    if (mean_points_per_cell() < 4.)
+    if (mean_points_per_cell() < 4. && averaging != "nodes")
       warnings.push_back(
         "Filled cells hold " + short_text(mean_points_per_cell()) +
-        " points on average. Below 4 the body may fall apart numerically.");
+        " points on average. Below 4 the body may fall apart numerically, but "
+        "with Scheme/Averaging = nodes on simplices.");
     if (n_files * bytes_per_file > 20e9)
       warnings.push_back("The points' files will need about " +
                          bytes_text(n_files * bytes_per_file) + " of disk.");
@@ -130,9 +123,17 @@ namespace mpm_granular::Output
       table.add(material.name,
                 material.density,
                 material.law + ", density " + short_text(material.density, 4) +
-                  " kg/m^3, wave speed " +
-                  short_text(material.wave_speed(), 4) + " m/s, " +
-                  count_text(material.n_points) + " points");
+                  " kg/m^3, wave speed " + short_text(material.wave_speed, 4) +
+                  " m/s, " + count_text(material.n_points) + " points");
+
+    table.add_heading("Scheme");
+    table.add("averaging", n_points, averaging);
+    const auto add_rate = [&](const std::string &label, const double rate) {
+      if (rate > 0.)
+        table.add(label, rate, short_text(rate) + "/s");
+    };
+    add_rate("pressure filter", pressure_filter_rate);
+    add_rate("position shift", position_shift_rate);
 
     table.add_heading("Time");
     table.add("gravity", gravity, short_text(gravity, 4) + " m/s^2");

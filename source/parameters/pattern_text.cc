@@ -139,6 +139,43 @@ namespace mpm_granular::Parameters
 
 
 
+  const std::string AutomaticNumber::automatic = "automatic";
+
+
+
+  bool
+  AutomaticNumber::match(const std::string &text) const
+  {
+    return text == automatic || dealii::Patterns::Double(0.).match(text);
+  }
+
+
+
+  std::string
+  AutomaticNumber::description(const OutputStyle) const
+  {
+    return "[Automatic or number]";
+  }
+
+
+
+  std::unique_ptr<dealii::Patterns::PatternBase>
+  AutomaticNumber::clone() const
+  {
+    return std::make_unique<AutomaticNumber>();
+  }
+
+
+
+  double
+  AutomaticNumber::value_of(const std::string &entry, const double found)
+  {
+    return entry == automatic ? found :
+                                dealii::Utilities::string_to_double(entry);
+  }
+
+
+
   dealii::Patterns::Double
   positive_number(const double upper)
   {
@@ -170,6 +207,8 @@ namespace mpm_granular::Parameters
       return "any text";
     if (pattern == ListOfNames().description())
       return "different names separated by ',', without / = # | and not 'Names'";
+    if (pattern == AutomaticNumber().description())
+      return "'" + AutomaticNumber::automatic + "' or a number of at least 0";
     if (starts_with(pattern, "[FileName"))
       return "the name of a file";
     if (starts_with(pattern, "[DirectoryName"))
@@ -186,9 +225,10 @@ namespace mpm_granular::Parameters
   {
     static const std::regex decimal_comma(R"([-+]?\d+,\d+)"),
       with_point(R"([-+]?\d+\.\d*)");
-    const bool is_integer = pattern.find("[Integer") != std::string::npos;
-    const bool is_number =
-      is_integer || pattern.find("[Double") != std::string::npos;
+    const bool is_integer       = pattern.find("[Integer") != std::string::npos;
+    const bool may_be_automatic = pattern == AutomaticNumber().description();
+    const bool is_number        = is_integer || may_be_automatic ||
+                           pattern.find("[Double") != std::string::npos;
     const bool is_list = starts_with(pattern, "[List");
 
     if (is_number && has_letters_after_number(value))
@@ -198,7 +238,10 @@ namespace mpm_granular::Parameters
       return " Decimals are separated by a point.";
     if (is_integer && !is_list && std::regex_match(value, with_point))
       return " It must be without decimals.";
-    return did_you_mean(value, selection(pattern));
+    return did_you_mean(value,
+                        may_be_automatic ?
+                          std::vector<std::string>{AutomaticNumber::automatic} :
+                          selection(pattern));
   }
 
 

@@ -22,9 +22,9 @@ namespace mpm_granular::Solver
     const double dt =
       step_control.next_step(step_limits(), current_time, next_event); // (T25)
 
-    fields.gather_nodes();          // (T9)
-    averaging.find_weights(fields); // (T40)
-    smooth_pressures();             // (T29)
+    fields.gather_nodes(!averaging.sets_forces()); // (T9)
+    averaging.find_weights(fields);                // (T40)
+    smooth_pressures();                            // (T29)
     boundary.update(fields, current_time, dt);
     boundary.add_tractions(fields, current_time);                // (T10)
     parameters.body_force.add_loads(fields, mesh, current_time); // (T10)
@@ -65,13 +65,14 @@ namespace mpm_granular::Solver
   {
     // Noise grows over some steps; a quarter of it at a time costs little.
     constexpr double part = 0.25;
-    if (parameters.transfer.filter_fraction(since_filter) < part)
+    if (scheme.filter_rate * since_filter < part)
       return;
     ledger.filter_loss +=
       sweep.smooth_pressures(points.arrays(),
                              fields,
-                             parameters.transfer.filter_fraction(since_filter));
-    fields.gather_forces();
+                             std::min(1., scheme.filter_rate * since_filter));
+    if (!averaging.sets_forces())
+      fields.gather_forces();
     since_filter = 0.;
   }
 
@@ -100,11 +101,12 @@ namespace mpm_granular::Solver
   void
   MPMSolver<dim>::shift_positions(const Momentum::StepInput<dim> &step)
   {
-    if (!parameters.position_shift.is_active())
+    if (scheme.shift_rate == 0.)
       return;
     const Tensor<1, dim> moved =
       parameters.position_shift.add(mesh,
                                     partition,
+                                    scheme.shift_rate,
                                     *averaging.filling_of_nodes(),
                                     momentum.holding(step),
                                     step.time_step,
@@ -132,7 +134,8 @@ namespace mpm_granular::Solver
         on_this_rank(
           [&] { dissipated = sweep.strain(arrays, fields, step.time_step); });
         times.end(StepTimes::points);
-        fields.gather_forces();        // (T9)
+        if (!averaging.sets_forces())
+          fields.gather_forces();      // (T9)
         averaging.find_forces(fields); // (T41, T43)
         find_velocities(step);         // (T12, T14)
         count_lost_power(step.time_step);

@@ -89,6 +89,11 @@ namespace mpm_granular::Solver
     report.n_filled_cells =
       summed(std::uint64_t(solver.nodal_fields().active_cells.size()));
 
+    const auto &scheme          = solver.chosen_scheme();
+    report.averaging            = scheme.averaging;
+    report.pressure_filter_rate = scheme.filter_rate;
+    report.position_shift_rate  = scheme.shift_rate;
+
     report.mass = report.volume = 0.;
     std::vector<std::uint64_t>           n_of_material(laws.size(), 0);
     std::map<unsigned int, unsigned int> n_in_cell;
@@ -115,8 +120,7 @@ namespace mpm_granular::Solver
         {names[m],
          parameters.materials[names[m]].law.chosen_name(),
          laws[m]->density(),
-         laws[m]->bulk_modulus(),
-         laws[m]->shear_modulus(),
+         laws[m]->wave_speed(),
          n_of_material[m]});
 
     report.end_time        = parameters.end_time;

@@ -45,7 +45,7 @@ namespace mpm_granular::Solver
     , regions({"body"})
     , boundary_conditions({"walls"})
     , velocity_update("blend")
-    , averaging("none")
+    , averaging("automatic")
     , damping("none")
   {}
 
@@ -153,7 +153,7 @@ namespace mpm_granular::Solver
               "rate (1000/s for a wall of 2 m): points at the edge of a body "
               "would fly off; given: " +
               averaging.chosen_name() + ", 0/s.");
-    require(!position_shift.is_active() ||
+    require(position_shift.rate(0.) == 0. ||
               averaging->filling_of_nodes() != nullptr,
             "Scheme/Position shift rate needs Scheme/Averaging = nodes (or to "
             "be 0); given: " +

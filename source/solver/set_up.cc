@@ -97,6 +97,7 @@ namespace mpm_granular::Solver
     velocity_update.set_first_slot(history_names<dim>(laws).size());
     check_contact();
     create_points_on_adapted_mesh(input_file);
+    choose_scheme();
     set_initial_state();
     if (parameters.equilibrium.is_wanted)
       prepare_settling();
@@ -161,6 +162,37 @@ namespace mpm_granular::Solver
         points.insert(seeds, material, laws[material]->density());
       }
     points.load();
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::choose_scheme()
+  {
+    // Points are in the order of their cells, each at the owner of the cell.
+    const auto &arrays = points.arrays();
+    double sums[] = {double(arrays.size()), 0., 0.}; // points, cells, volume
+    for (unsigned int p = 0; p < arrays.size(); ++p)
+      if (p == 0 || arrays.cell[p] != arrays.cell[p - 1])
+        {
+          sums[1] += 1.;
+          sums[2] += mesh.cell_volume(arrays.cell[p]);
+        }
+    Utilities::MPI::sum(sums, partition.communicator, sums);
+    const auto &[n_points, n_cells, volume] = sums;
+    if (averaging.suit(n_points / n_cells))
+      averaging.reinit(mesh, partition, largest_specific_volumes());
+
+    double largest_speed = 0.;
+    for (const auto *law : laws)
+      if (law->has_smoothable_pressure())
+        largest_speed = std::max(largest_speed, law->wave_speed());
+    const double size = mesh.size_of_cell(volume / n_cells);
+    scheme.averaging =
+      averaging.name_in_use(parameters.averaging.chosen_name());
+    scheme.filter_rate = parameters.transfer.filter_rate(
+      averaging.suitable_filter_rate() * largest_speed / size);
+    scheme.shift_rate = parameters.position_shift.rate(
+      largest_speed > 0. ? averaging.suitable_shift_rate() : 0.);
   }
 
   template <int dim>

@@ -24,6 +24,14 @@ namespace mpm_granular::Transfer
   }
 
   template <int dim>
+  bool
+  NodeAveraging<dim>::suit(const double points_per_cell)
+  {
+    has_few_points = points_per_cell < few_points_per_cell;
+    return false;
+  }
+
+  template <int dim>
   void
   NodeAveraging<dim>::reinit(const Mesh::BackgroundMesh<dim> &new_mesh,
                              const Mesh::Partition<dim>      &new_partition,

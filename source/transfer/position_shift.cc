@@ -1,5 +1,4 @@
-#include <deal.II/base/patterns.h>
-
+#include <mpm_granular/parameters/pattern_text.h>
 #include <mpm_granular/transfer/position_shift.h>
 
 #include <algorithm>
@@ -14,18 +13,28 @@ namespace mpm_granular::Transfer
   PositionShift<dim>::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("Position shift rate",
-                      rate,
+                      given_rate,
                       "Rate at which points move from where they are too many "
                       "to where there is room, for flows with few points per "
-                      "cell (with 'Averaging = nodes' only). 0: never. Units: "
-                      "1/s.",
-                      Patterns::Double(0.));
+                      "cell (with 'Averaging = nodes' only). 0: never. "
+                      "'automatic': 10/s for granular laws with means around "
+                      "nodes and fewer than 3 points per filled cell at the "
+                      "start, else 0. Units: 1/s.",
+                      Parameters::AutomaticNumber());
+  }
+
+  template <int dim>
+  double
+  PositionShift<dim>::rate(const double automatic) const
+  {
+    return Parameters::AutomaticNumber::value_of(given_rate, automatic);
   }
 
   template <int dim>
   Tensor<1, dim>
   PositionShift<dim>::add(const Mesh::BackgroundMesh<dim>      &mesh,
                           const Mesh::Partition<dim>           &partition,
+                          const double                          rate,
                           const Filling<dim>                   &filling,
                           const Grid::VelocityConstraints<dim> &constraints,
                           const double                          time_step,
@@ -36,11 +45,12 @@ namespace mpm_granular::Transfer
     // In a step, of the size of a cell.
     constexpr double furthest = 0.01;
 
-    const auto &cells  = mesh.template cells<Cell>();
-    const auto &active = fields.template cells<Cell>();
-    const auto  excess = [&](const unsigned int node) {
-      return std::max(filling.fraction(fields, node) - 1., 0.);
-    };
+    const auto         &cells  = mesh.template cells<Cell>();
+    const auto         &active = fields.template cells<Cell>();
+    std::vector<double> excess(fields.n_active_nodes());
+    for (unsigned int i = 0; i < excess.size(); ++i)
+      excess[i] = std::max(filling.fraction(fields, i) - 1., 0.);
+    fields.hanging.extend(excess);
 
     // Means over the cells around the nodes: sums, and their weights.
     std::vector<std::array<double, dim + 1>> shifts(fields.n_active_nodes());
@@ -52,11 +62,11 @@ namespace mpm_granular::Transfer
         const auto    &nodes = active.nodes[c];
         Tensor<1, dim> slope;
         for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-          slope += excess(nodes[k]) * cells[index].shape_gradient(k);
+          slope += excess[nodes[k]] * cells[index].shape_gradient(k);
 
-        const double volume = mesh.cell_volume(index);
-        const double size = std::pow(volume / Cell::reference_volume, 1. / dim);
-        const double largest = furthest * size / time_step;
+        const double                volume  = mesh.cell_volume(index);
+        const double                size    = mesh.size_of_cell(volume);
+        const double                largest = furthest * size / time_step;
         std::array<double, dim + 1> part;
         for (unsigned int d = 0; d < dim; ++d)
           part[d] =

@@ -1,8 +1,7 @@
 #include <deal.II/base/patterns.h>
 
+#include <mpm_granular/parameters/pattern_text.h>
 #include <mpm_granular/transfer/transfer_parameters.h>
-
-#include <algorithm>
 
 namespace mpm_granular::Transfer
 {
@@ -24,11 +23,11 @@ namespace mpm_granular::Transfer
       "Pressure filter rate",
       pressure_filter_rate,
       "Rate at which the pressures of points in contact relax to a smooth "
-      "field, which removes pressure noise (granular laws only). 0: never; "
-      "0.8 times wave speed over cell size is a good value for flows "
-      "with 'Averaging = cells', 0.2 to 0.3 times with others. "
-      "Units: 1/s.",
-      Patterns::Double(0.));
+      "field, which removes pressure noise (granular laws only). 0: never. "
+      "'automatic': with c/h, wave speed over size of the filled cells, 0.8 "
+      "c/h with 'Averaging = cells', 0.3 c/h with 'nodes' and 'moving least "
+      "squares', 0 with 'none'. Units: 1/s.",
+      Parameters::AutomaticNumber());
   }
 
   StressOrder
@@ -40,8 +39,9 @@ namespace mpm_granular::Transfer
   }
 
   double
-  TransferParameters::filter_fraction(const double duration) const
+  TransferParameters::filter_rate(const double automatic) const
   {
-    return std::min(1., pressure_filter_rate * duration);
+    return Parameters::AutomaticNumber::value_of(pressure_filter_rate,
+                                                 automatic);
   }
 } // namespace mpm_granular::Transfer

@@ -42,17 +42,17 @@ preflight()
   report.min_points_per_cell = 1;
   report.max_points_per_cell = 4;
   report.mass                = 3000.;
-  report.materials           = {
-              {"sand", "drucker prager", 1500., 833333.333, 384615.385, 6400}};
-  report.end_time       = 2.;
-  report.stable_dt      = 4e-4;
-  report.chosen_dt      = 5e-4;
-  report.throughput     = 12.8;
-  report.n_files        = 21;
-  report.bytes_per_file = 0.5e6;
+  report.materials = {{"sand", "drucker prager", 1500., 29.957, 6400}};
+  report.averaging = "nodes";
+  report.pressure_filter_rate = 120.;
+  report.end_time             = 2.;
+  report.stable_dt            = 4e-4;
+  report.chosen_dt            = 5e-4;
+  report.throughput           = 12.8;
+  report.n_files              = 21;
+  report.bytes_per_file       = 0.5e6;
   report.add_warnings();
   std::cout << report.text();
-  std::cout << "Wave speed " << report.materials[0].wave_speed() << std::endl;
 }
 
 

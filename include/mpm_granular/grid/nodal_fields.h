@@ -170,8 +170,9 @@ namespace mpm_granular::Grid
     /// Makes the nodes of the active cells the active nodes and sums their
     /// mass, momentum and internal force (T9) over all ranks: from the cells,
     /// and what points have given to nodes directly.
+    /// @param with_forces false if gather_forces() follows.
     void
-    gather_nodes();
+    gather_nodes(const bool with_forces = true);
 
     /**
      * Finds the active cells that several ranks have points in, and sums values
@@ -293,7 +294,8 @@ namespace mpm_granular::Grid
     }
 
     void
-    gather_at_hanging(const std::vector<unsigned int> &slots);
+    gather_at_hanging(const std::vector<unsigned int> &slots,
+                      const bool                       with_forces);
     void
     find_slots_of_vertices(const unsigned int slot);
 

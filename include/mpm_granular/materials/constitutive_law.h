@@ -7,6 +7,7 @@
 #include <mpm_granular/parameters/parameter_group.h>
 #include <mpm_granular/points/point_arrays.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,14 @@ namespace mpm_granular::Materials
     bulk_modulus() const = 0; ///< [Pa]
     virtual double
     shear_modulus() const = 0; ///< [Pa]
+
+    /// Speed of pressure waves, sqrt((K + 4G/3)/rho) [m/s].
+    double
+    wave_speed() const
+    {
+      return std::sqrt((bulk_modulus() + 4. / 3. * shear_modulus()) /
+                       density());
+    }
 
     /// Whether points separate: their volume then has gaps in it that bear no
     /// stress.

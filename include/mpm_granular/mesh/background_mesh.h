@@ -377,9 +377,20 @@ namespace mpm_granular::Mesh
     std::pair<double, double>
     extent(const dealii::Tensor<1, dim> &direction) const;
 
-    /// The d-th root of the mean box's volume, where d! simplices make a box:
-    /// the edge of the mean cell's box [m]; of the finest cells, if some are
-    /// refined.
+    /// The edge of the box of which cells of a volume [m^3], in 2D [m^2], are
+    /// parts: d! simplices make a box [m].
+    double
+    size_of_cell(const double volume) const
+    {
+      const double part_of_box = visit([](const auto &cells) {
+        return std::decay_t<decltype(cells)>::value_type::reference_volume;
+      });
+      return dim == 2 ? std::sqrt(volume / part_of_box) :
+                        std::cbrt(volume / part_of_box);
+    }
+
+    /// The size of a cell of mean volume; of the finest cells, if some are
+    /// refined [m].
     double
     mean_cell_size() const
     {

@@ -21,14 +21,9 @@ namespace mpm_granular::Output
     {
       std::string   name;
       std::string   law;
-      double        density;       ///< [kg/m^3]
-      double        bulk_modulus;  ///< [Pa]
-      double        shear_modulus; ///< [Pa]
+      double        density;    ///< [kg/m^3]
+      double        wave_speed; ///< of pressure waves [m/s]
       std::uint64_t n_points;
-
-      /// Speed of pressure waves, sqrt((K + 4G/3)/rho) [m/s].
-      double
-      wave_speed() const;
     };
 
     unsigned int  dimension      = 0;
@@ -45,6 +40,10 @@ namespace mpm_granular::Output
     double        volume              = unknown; ///< [m^3], in 2D [m^2]
 
     std::vector<Material> materials;
+
+    std::string averaging;                 ///< name of the scheme
+    double      pressure_filter_rate = 0.; ///< [1/s]
+    double      position_shift_rate  = 0.; ///< [1/s]
 
     double       end_time        = unknown; ///< [s]
     double       stable_dt       = unknown; ///< stability limit [s]

@@ -30,6 +30,28 @@ namespace mpm_granular::Parameters
     clone() const override;
   };
 
+  /// The pattern of a number of at least 0, or "automatic": the program finds
+  /// one. See value_of().
+  class AutomaticNumber : public dealii::Patterns::PatternBase
+  {
+  public:
+    bool
+    match(const std::string &text) const override;
+
+    std::string
+    description(const OutputStyle style = Machine) const override;
+
+    std::unique_ptr<dealii::Patterns::PatternBase>
+    clone() const override;
+
+    /// What an entry that is "automatic" has as its value.
+    static const std::string automatic;
+
+    /// The number of an entry, or what the program has found.
+    static double
+    value_of(const std::string &entry, const double found);
+  };
+
   /**
    * What a pattern allows, in words, say "a number from 0 to 90".
    *

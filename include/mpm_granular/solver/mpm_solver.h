@@ -232,6 +232,20 @@ namespace mpm_granular::Solver
       return changes;
     }
 
+    /// What follows from the body where the input leaves it open.
+    struct Scheme
+    {
+      std::string averaging;   ///< name of the one that is used
+      double      filter_rate; ///< of pressures [1/s]
+      double      shift_rate;  ///< of positions [1/s]
+    };
+
+    const Scheme &
+    chosen_scheme() const
+    {
+      return scheme;
+    }
+
     /// Of advance_one_step(), on this rank.
     const StepTimes &
     step_times() const
@@ -271,6 +285,8 @@ namespace mpm_granular::Solver
     set_initial_state();
     void
     prepare_settling();
+    void
+    choose_scheme();
     /// By material, the volume per mass that may be filled [m^3/kg].
     std::vector<double>
     largest_specific_volumes() const;
@@ -356,6 +372,7 @@ namespace mpm_granular::Solver
 
     std::vector<CellLimits>   cell_limits; ///< by flat cell
     std::vector<std::string>  remarks;
+    Scheme                    scheme;
     Points::Motion            motion;
     Observables::EnergyLedger ledger;
     double                    current_time    = 0.;

@@ -11,10 +11,15 @@
 #include <mpm_granular/transfer/point_block.h>
 #include <mpm_granular/transfer/points_to_grid.h>
 
+#include <string>
 #include <vector>
 
 namespace mpm_granular::Transfer
 {
+  /// Below so many points per filled cell, on average, a cell by itself says
+  /// little: its neighbours have to count as well.
+  constexpr double few_points_per_cell = 3.;
+
   /**
    * How the stresses of points become forces of nodes, and the velocities of
    * nodes become velocity gradients of points: from the cell of each point
@@ -31,6 +36,39 @@ namespace mpm_granular::Transfer
   class Averaging : public Parameters::ParameterGroup
   {
   public:
+    /**
+     * Makes what depends on the body suit it; called once, before the first
+     * step.
+     *
+     * @param points_per_cell mean of the filled cells.
+     * @return whether reinit() has to be called again.
+     */
+    virtual bool
+    suit(const double /*points_per_cell*/)
+    {
+      return false;
+    }
+
+    /// The name of what is used, where the chosen one, @p chosen_name, leaves
+    /// that open.
+    virtual std::string
+    name_in_use(const std::string &chosen_name) const
+    {
+      return chosen_name;
+    }
+
+    /// The rate of the pressure filter that goes well with these averages, in
+    /// wave speeds over cell size; after suit().
+    virtual double
+    suitable_filter_rate() const = 0;
+
+    /// The rate of the position shift that does [1/s]; after suit().
+    virtual double
+    suitable_shift_rate() const
+    {
+      return 0.;
+    }
+
     /**
      * Prepares for a mesh, or for its new cells.
      *
@@ -97,6 +135,14 @@ namespace mpm_granular::Transfer
     filling_of_nodes() const
     {
       return nullptr;
+    }
+
+    /// Whether find_forces() does not need the forces that are summed from the
+    /// cells, but sets them.
+    virtual bool
+    sets_forces() const
+    {
+      return false;
     }
 
     /// Completes the internal forces of the nodes, which have been summed from

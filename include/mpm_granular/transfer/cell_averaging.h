@@ -19,6 +19,12 @@ namespace mpm_granular::Transfer
     void
     add_parameters(dealii::ParameterHandler &prm) override;
 
+    double
+    suitable_filter_rate() const override
+    {
+      return 0.8;
+    }
+
     void
     reinit(const Mesh::BackgroundMesh<dim> &mesh,
            const Mesh::Partition<dim>      &partition,
@@ -39,6 +45,12 @@ namespace mpm_granular::Transfer
 
     void
     find_weights(Grid::NodalFields<dim> &fields) override;
+
+    bool
+    sets_forces() const override
+    {
+      return true;
+    }
 
     void
     find_forces(Grid::NodalFields<dim> &fields) override;

@@ -14,6 +14,12 @@ namespace mpm_granular::Transfer
     void
     add_parameters(dealii::ParameterHandler &prm) override;
 
+    double
+    suitable_filter_rate() const override
+    {
+      return 0.;
+    }
+
     void
     reinit(const Mesh::BackgroundMesh<dim> &mesh,
            const Mesh::Partition<dim>      &partition,

@@ -26,6 +26,21 @@ namespace mpm_granular::Transfer
     void
     add_parameters(dealii::ParameterHandler &prm) override;
 
+    bool
+    suit(const double points_per_cell) override;
+
+    double
+    suitable_filter_rate() const override
+    {
+      return 0.2;
+    }
+
+    double
+    suitable_shift_rate() const override
+    {
+      return has_few_points ? 10. : 0.;
+    }
+
     void
     reinit(const Mesh::BackgroundMesh<dim> &mesh,
            const Mesh::Partition<dim>      &partition,
@@ -56,6 +71,12 @@ namespace mpm_granular::Transfer
       return &filling;
     }
 
+    bool
+    sets_forces() const override
+    {
+      return true;
+    }
+
     void
     find_forces(Grid::NodalFields<dim> &fields) override;
 
@@ -84,6 +105,7 @@ namespace mpm_granular::Transfer
     void
     sum_stresses(Grid::NodalFields<dim> &fields);
 
+    bool   has_few_points = false;
     double averaged_part = 0.9; ///< beta, the rest is taken from the cell alone
 
     const Mesh::BackgroundMesh<dim> *mesh      = nullptr;

@@ -6,6 +6,8 @@
 #include <mpm_granular/parameters/parameter_group.h>
 #include <mpm_granular/transfer/filling.h>
 
+#include <string>
+
 namespace mpm_granular::Transfer
 {
   /**
@@ -21,16 +23,16 @@ namespace mpm_granular::Transfer
     void
     add_parameters(dealii::ParameterHandler &prm) override;
 
-    bool
-    is_active() const
-    {
-      return rate > 0.;
-    }
+    /// Rate [1/s].
+    /// @param automatic what suits the body and the averages.
+    double
+    rate(const double automatic) const;
 
     /**
      * Adds the shift to NodeMotion::velocity, with which points move, except
      * for prescribed components. Collective.
      *
+     * @param rate [1/s].
      * @param filling of this step.
      * @param constraints walls that only push hold here, too.
      * @param time_step [s].
@@ -40,13 +42,14 @@ namespace mpm_granular::Transfer
     dealii::Tensor<1, dim>
     add(const Mesh::BackgroundMesh<dim>      &mesh,
         const Mesh::Partition<dim>           &partition,
+        const double                          rate,
         const Filling<dim>                   &filling,
         const Grid::VelocityConstraints<dim> &constraints,
         const double                          time_step,
         Grid::NodalFields<dim>               &fields) const;
 
   private:
-    double rate = 0.; ///< [1/s]
+    std::string given_rate = "automatic"; ///< [1/s]
   };
 } // namespace mpm_granular::Transfer
 

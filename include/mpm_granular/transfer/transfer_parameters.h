@@ -24,14 +24,15 @@ namespace mpm_granular::Transfer
     StressOrder
     stress_order() const;
 
-    /// The part of the way to the smooth pressure (T29) that points in contact
-    /// go in a time.
+    /// Rate at which the pressures of points in contact go to a smooth one
+    /// (T29) [1/s].
+    /// @param automatic the rate that suits the body and the averages.
     double
-    filter_fraction(const double duration) const;
+    filter_rate(const double automatic) const;
 
   private:
     std::string order                = "MUSL";
-    double      pressure_filter_rate = 0.; ///< [1/s]
+    std::string pressure_filter_rate = "automatic"; ///< [1/s]
   };
 } // namespace mpm_granular::Transfer
 
