@@ -179,20 +179,21 @@ namespace mpm_granular::Solver
         }
     Utilities::MPI::sum(sums, partition.communicator, sums);
     const auto &[n_points, n_cells, volume] = sums;
-    if (averaging.suit(n_points / n_cells))
-      averaging.reinit(mesh, partition, largest_specific_volumes());
-
-    double largest_speed = 0.;
+    double largest_speed                    = 0.;
     for (const auto *law : laws)
       if (law->has_smoothable_pressure())
         largest_speed = std::max(largest_speed, law->wave_speed());
+    const bool is_granular = largest_speed > 0.;
+    if (averaging.suit(n_points / n_cells, is_granular))
+      averaging.reinit(mesh, partition, largest_specific_volumes());
+
     const double size = mesh.size_of_cell(volume / n_cells);
     scheme.averaging =
       averaging.name_in_use(parameters.averaging.chosen_name());
     scheme.filter_rate = parameters.transfer.filter_rate(
       averaging.suitable_filter_rate() * largest_speed / size);
-    scheme.shift_rate = parameters.position_shift.rate(
-      largest_speed > 0. ? averaging.suitable_shift_rate() : 0.);
+    scheme.shift_rate =
+      parameters.position_shift.rate(averaging.suitable_shift_rate());
   }
 
   template <int dim>

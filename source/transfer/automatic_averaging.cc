@@ -25,13 +25,14 @@ namespace mpm_granular::Transfer
 
   template <int dim>
   bool
-  AutomaticAveraging<dim>::suit(const double points_per_cell)
+  AutomaticAveraging<dim>::suit(const double points_per_cell,
+                                const bool   is_granular)
   {
     const bool is_for_nodes =
       is_of_simplices && points_per_cell < few_points_per_cell;
-    if (is_for_nodes)
-      use("nodes");
-    return averaging->suit(points_per_cell) || is_for_nodes;
+    use(!is_granular ? "none" : is_for_nodes ? "nodes" : "cells");
+    averaging->suit(points_per_cell, is_granular);
+    return true;
   }
 
   template <int dim>
@@ -174,8 +175,8 @@ namespace mpm_granular::Transfer
   namespace
   {
     const std::string documentation =
-      "'cells', or 'nodes' if simplices that are filled at the start hold fewer "
-      "than 3 points on average.";
+      "for granular laws 'cells', or 'nodes' if simplices that are filled at the "
+      "start hold fewer than 3 points on average; 'none' for elastic laws.";
     const AveragingRegistry<2>::Entry<AutomaticAveraging<2>>
       automatic_2d("automatic", documentation);
     const AveragingRegistry<3>::Entry<AutomaticAveraging<3>>

@@ -3,7 +3,6 @@
 #include <mpm_granular/transfer/points_to_grid.h>
 #include <mpm_granular/transfer/stress_power.h>
 
-#include <algorithm>
 #include <type_traits>
 
 namespace mpm_granular::Transfer
@@ -62,17 +61,18 @@ namespace mpm_granular::Transfer
   CellAveraging<dim>::find_forces(Grid::NodalFields<dim> &fields)
   {
     factors.assign(fields.active_cells.size(), 1.);
-    const auto is_full = [&](const unsigned int node) {
-      return filling.fraction(fields, node) > Filling<dim>::full;
-    };
+    const auto is_full = filling.full_nodes(fields);
     mesh->visit([&](const auto &cells) {
       using Cell   = typename std::decay_t<decltype(cells)>::value_type;
       auto &active = fields.template cells<Cell>();
       for (unsigned int c = 0; c < factors.size(); ++c)
         {
-          const auto  &nodes  = active.nodes[c];
-          const double volume = filling.of_cell(c);
-          if (volume == 0. || !std::all_of(nodes.begin(), nodes.end(), is_full))
+          const auto  &nodes    = active.nodes[c];
+          const double volume   = filling.of_cell(c);
+          bool         all_full = true;
+          for (const unsigned int node : nodes)
+            all_full &= is_full[node] != 0;
+          if (volume == 0. || !all_full)
             continue;
           factors[c] = mesh->cell_volume(fields.active_cells[c]) / volume;
           active.sums[c].internal *= factors[c];

@@ -1,5 +1,5 @@
 #include <mpm_granular/transfer/filling.h>
-#include <mpm_granular/transfer/sum_by_cell.h>
+#include <mpm_granular/transfer/point_groups.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -31,25 +31,35 @@ namespace mpm_granular::Transfer
                        const Grid::NodalFields<dim>   &fields)
   {
     constexpr unsigned int n_nodes = Cell::n_nodes;
-    using Parts                    = std::array<double, n_nodes>;
     parts.resize(fields.active_cells.size() * n_nodes);
-    sum_by_cell<Parts>(
-      block,
-      [&](const unsigned int p, Parts &sums) {
-        const double volume =
-          std::min(points.volume[p],
-                   points.mass[p] *
-                     largest_specific_volume[points.material[p]]);
+    const double *volume       = points.volume.data();
+    const double *mass         = points.mass.data();
+    const auto    shape_values = pointers(block.shape_values);
+    for (const auto &part : block.parts)
+      {
+        if (part.cell == Mesh::no_cell)
+          continue;
+        const unsigned int end = part.points.end;
+        const double       largest =
+          largest_specific_volume[points.material[part.points.begin]];
+        Lanes sums[n_nodes]{};
+        for_each_group(part.points,
+                       points.size(),
+                       [&](const auto type, const auto p) {
+                         using Number = std::decay_t<decltype(type)>;
+                         const Number filled =
+                           first_of(minimum(load<Number>(volume + p),
+                                            load<Number>(mass + p) * largest),
+                                    end - p);
+                         for (unsigned int k = 0; k < n_nodes; ++k)
+                           accumulate(sums[k],
+                                      filled * load<Number>(shape_values[k] +
+                                                            p - block.begin));
+                       });
+        double *total = parts.data() + fields.slot_of_cell(part.cell) * n_nodes;
         for (unsigned int k = 0; k < n_nodes; ++k)
-          sums[k] += volume * block.shape_values[k][p - block.begin];
-      },
-      [&](const unsigned int cell, const Parts &sums) {
-        if (cell == Mesh::no_cell)
-          return;
-        double *total = parts.data() + fields.slot_of_cell(cell) * n_nodes;
-        for (unsigned int k = 0; k < n_nodes; ++k)
-          total[k] += sums[k];
-      });
+          total[k] += sum_of(sums[k]);
+      }
   }
 
   template <int dim>
@@ -86,6 +96,16 @@ namespace mpm_granular::Transfer
     fields.shared.sum(fractions.data(), 1);
     for (unsigned int i = 0; i < fractions.size(); ++i)
       fractions[i] /= mesh->node_volume(fields.active_nodes[i]);
+  }
+
+  template <int dim>
+  std::vector<std::uint8_t>
+  Filling<dim>::full_nodes(const Grid::NodalFields<dim> &fields) const
+  {
+    std::vector<std::uint8_t> result(fractions.size() + fields.hanging.size());
+    for (unsigned int i = 0; i < result.size(); ++i)
+      result[i] = fraction(fields, i) > full;
+    return result;
   }
 
   template <int dim>

@@ -25,9 +25,9 @@ namespace mpm_granular::Transfer
 
   template <int dim>
   bool
-  NodeAveraging<dim>::suit(const double points_per_cell)
+  NodeAveraging<dim>::suit(const double points_per_cell, const bool is_granular)
   {
-    has_few_points = points_per_cell < few_points_per_cell;
+    makes_room = is_granular && points_per_cell < few_points_per_cell;
     return false;
   }
 
@@ -116,7 +116,8 @@ namespace mpm_granular::Transfer
   NodeAveraging<dim>::find_forces(Grid::NodalFields<dim> &fields)
   {
     sum_stresses(fields);
-    auto &active = fields.template cells<Cell>();
+    const auto is_full = filling.full_nodes(fields);
+    auto      &active  = fields.template cells<Cell>();
     for (unsigned int c = 0; c < cell_weights.size(); ++c)
       {
         Stress<dim> &total = active.sums[c].internal.stress;
@@ -125,17 +126,17 @@ namespace mpm_granular::Transfer
             total = {};
             continue;
           }
-        const auto &nodes   = active.nodes[c];
-        bool        is_full = true;
+        const auto &nodes    = active.nodes[c];
+        bool        all_full = true;
         for (const unsigned int node : nodes)
-          is_full &= filling.fraction(fields, node) > Filling<dim>::full;
+          all_full &= is_full[node] != 0;
         const double                     volume = filling.of_cell(c);
         std::array<Stress<dim>, n_nodes> at_nodes;
         for (unsigned int k = 0; k < n_nodes; ++k)
           at_nodes[k] = fields.hanging.value_at(stresses, nodes[k]);
         const double own_factor =
           (1. - averaged_part) *
-          (is_full && volume > 0. ?
+          (all_full && volume > 0. ?
              mesh->cell_volume(fields.active_cells[c]) / volume :
              1.);
         for (unsigned int s = 0; s < n_stress<dim>; ++s)

@@ -108,6 +108,7 @@ interrupt("3D", 3)
 SCHEMES = (["Scheme/Mass matrix=near-consistent"],
            ["Scheme/Averaging=nodes", "Scheme/Pressure filter rate=100"],
            ["Scheme/Averaging=moving least squares"],
+           ["Scheme/Averaging=automatic"],
            ["Scheme/Stress order=USF", "Scheme/Averaging=nodes"],
            ["Scheme/Velocity update=APIC", "Scheme/Averaging=nodes",
             "Scheme/Position shift rate=10"],

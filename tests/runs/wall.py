@@ -63,11 +63,12 @@ if not IS_DEBUG:
     check_wall("3D, structured mesh", run(INPUTS / "wall.prm", *STRUCTURED))
     check_wall("3D, cubes", run(INPUTS / "wall_hexahedra.prm",
                                 "Output/Interval=0"))
-    # 1,600 points on as many tetrahedra, within 5 % of what fine meshes give.
+    # 1,600 points on as many tetrahedra, within 5 % of what fine meshes give; the
+    # envelope of few points is larger from the start.
     few = run(INPUTS / "wall_1600.prm", "Output/Interval=0")
     checks.that(few.last("points") == 1600 and
                 abs(few.last("front") - 3.34) < .05 * 3.34 and
-                abs(few.last("area") - 2.) < .05 * 2. and
+                abs(few.last("area") / few["area"][0] - 1.) < .05 and
                 abs(few.last("closure")) < 2e-3, "1,600 points",
                 f"{few.last('front')}, {few.last('area')}, {few.text[-2000:]}")
     checks.that(abs(space.last("front") - plane.last("front")) < .1,

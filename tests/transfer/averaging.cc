@@ -188,6 +188,31 @@ test(const std::string &name, const Mesh::MeshSource<dim> &source)
             << std::endl;
 }
 
+/// What is chosen for a body, if that is left open.
+template <int dim>
+void
+choose(const Mesh::MeshSource<dim> &source)
+{
+  Averaged<dim> body("automatic", source, 1.);
+  auto         &averaging = *body.averaging;
+  std::cout << dim << "D, automatic"
+            << (body.mesh.cell_kind() == Mesh::CellKind::hypercube ?
+                  " in hypercubes" :
+                  "");
+  for (const auto &[points_per_cell, is_granular] :
+       {std::pair<double, bool>{4., true}, {2.9, true}, {2.9, false}})
+    {
+      if (averaging.suit(points_per_cell, is_granular))
+        averaging.reinit(body.mesh,
+                         body.partition,
+                         {std::numeric_limits<double>::infinity()});
+      std::cout << ": " << averaging.name_in_use("automatic") << ' '
+                << averaging.suitable_filter_rate() << ' '
+                << averaging.suitable_shift_rate();
+    }
+  std::cout << std::endl;
+}
+
 int
 main(int argc, char **argv)
 {
@@ -199,4 +224,7 @@ main(int argc, char **argv)
     }
   test<2>("cells", BoxMesh<2>("hypercubes", 4));
   test<3>("cells", BoxMesh<3>("hypercubes", 4));
+  choose<2>(JitteredBox<2>(4));
+  choose<3>(JitteredBox<3>(4));
+  choose<3>(BoxMesh<3>("hypercubes", 4));
 }

@@ -93,6 +93,32 @@ namespace mpm_granular
     return Lanes(is_kept ? a.data : Lanes::Vector{});
   }
 
+  inline double
+  first_of(const double a, const unsigned int)
+  {
+    return a;
+  }
+
+  /// The sum of all lanes.
+  inline double
+  sum_of(const Lanes &a)
+  {
+    return (a.data[0] + a.data[1]) + (a.data[2] + a.data[3]);
+  }
+
+  /// Adds to a sum that is spread over lanes.
+  inline void
+  accumulate(Lanes &sum, const Lanes &value)
+  {
+    sum += value;
+  }
+
+  inline void
+  accumulate(Lanes &sum, const double value)
+  {
+    sum.data[0] += value;
+  }
+
   template <class Number>
   inline Number
   load(const double *from)

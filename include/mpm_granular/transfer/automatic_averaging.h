@@ -8,9 +8,10 @@
 namespace mpm_granular::Transfer
 {
   /**
-   * Means in cells, or means around nodes where simplices have few points: what
-   * suits the body at the start, for the whole run. Hands everything on to
-   * these.
+   * What suits the body at the start, for the whole run: for grains means in
+   * cells, or means around nodes if simplices have few points; nothing for
+   * elastic bodies alone, into which means in cells can feed energy. Hands
+   * everything on to these.
    */
   template <int dim>
   class AutomaticAveraging : public Averaging<dim>
@@ -22,7 +23,7 @@ namespace mpm_granular::Transfer
     add_parameters(dealii::ParameterHandler &prm) override;
 
     bool
-    suit(const double points_per_cell) override;
+    suit(const double points_per_cell, const bool is_granular) override;
 
     std::string
     name_in_use(const std::string &chosen_name) const override;

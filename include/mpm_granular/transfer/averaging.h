@@ -41,10 +41,11 @@ namespace mpm_granular::Transfer
      * step.
      *
      * @param points_per_cell mean of the filled cells.
+     * @param is_granular whether any of its laws is one of grains.
      * @return whether reinit() has to be called again.
      */
     virtual bool
-    suit(const double /*points_per_cell*/)
+    suit(const double /*points_per_cell*/, const bool /*is_granular*/)
     {
       return false;
     }

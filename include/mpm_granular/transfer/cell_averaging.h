@@ -22,7 +22,7 @@ namespace mpm_granular::Transfer
     double
     suitable_filter_rate() const override
     {
-      return 0.8;
+      return mesh->cell_kind() == Mesh::CellKind::simplex ? 0.8 : 0.5;
     }
 
     void

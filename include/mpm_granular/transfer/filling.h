@@ -6,6 +6,7 @@
 #include <mpm_granular/transfer/point_block.h>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace mpm_granular::Transfer
@@ -66,6 +67,10 @@ namespace mpm_granular::Transfer
     /// From this fraction on, the surroundings of a node count as full: points
     /// that are not in order leave some cells poorer than others.
     static constexpr double full = 0.9;
+
+    /// Whether each node's surroundings are full, by slot, hanging ones too.
+    std::vector<std::uint8_t>
+    full_nodes(const Grid::NodalFields<dim> &fields) const;
 
     void
     serialize(Core::Archive &archive);

@@ -27,7 +27,7 @@ namespace mpm_granular::Transfer
     add_parameters(dealii::ParameterHandler &prm) override;
 
     bool
-    suit(const double points_per_cell) override;
+    suit(const double points_per_cell, const bool is_granular) override;
 
     double
     suitable_filter_rate() const override
@@ -38,7 +38,7 @@ namespace mpm_granular::Transfer
     double
     suitable_shift_rate() const override
     {
-      return has_few_points ? 10. : 0.;
+      return makes_room ? 10. : 0.;
     }
 
     void
@@ -105,7 +105,7 @@ namespace mpm_granular::Transfer
     void
     sum_stresses(Grid::NodalFields<dim> &fields);
 
-    bool   has_few_points = false;
+    bool   makes_room    = false; ///< whether points should be shifted
     double averaged_part = 0.9; ///< beta, the rest is taken from the cell alone
 
     const Mesh::BackgroundMesh<dim> *mesh      = nullptr;
