@@ -7,7 +7,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 
 packages=(
   g++ cmake ninja-build ccache mold git                  # build
-  libdeal.ii-dev libboost-program-options-dev
+  libdeal.ii-dev libboost-program-options-dev zlib1g-dev
   numdiff perl gmsh                                      # tests
   python3 python3-numpy python3-matplotlib python3-vtk9  # pictures, tests
 )

@@ -7,7 +7,8 @@ target_compile_features(mpm_granular_flags INTERFACE cxx_std_17)
 target_include_directories(mpm_granular_flags INTERFACE
   ${PROJECT_SOURCE_DIR}/include
   ${PROJECT_BINARY_DIR}/include)
-target_link_libraries(mpm_granular_flags INTERFACE Boost::program_options)
+target_link_libraries(mpm_granular_flags INTERFACE
+  Boost::program_options ZLIB::ZLIB)
 
 # -fPIC for everything: a precompiled header serves only files that are compiled
 # with the same setting. -fopenmp-simd makes the "omp simd" pragmas known, and

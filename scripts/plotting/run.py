@@ -31,13 +31,18 @@ def read_parameters(path):
     return entries
 
 
-def read_points(path):
-    """Positions and fields of the points in a VTU or PVTU file, all SI units."""
+def read_grid(path):
+    """What VTK makes of a VTU or PVTU file."""
     reader = (vtkXMLPUnstructuredGridReader() if path.suffix == ".pvtu"
               else vtkXMLUnstructuredGridReader())
     reader.SetFileName(str(path))
     reader.Update()
-    grid = reader.GetOutput()
+    return reader.GetOutput()
+
+
+def read_points(path):
+    """Positions and fields of the points in a VTU or PVTU file, all SI units."""
+    grid = read_grid(path)
     if grid.GetNumberOfPoints() == 0:
         return {"position": numpy.zeros((0, 3))}
     data = grid.GetPointData()
@@ -49,10 +54,7 @@ def read_points(path):
 
 def read_mesh(path):
     """Positions of the nodes of a mesh, and the nodes of its cells."""
-    reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    grid = reader.GetOutput()
+    grid = read_grid(path)
     cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
     return (vtk_to_numpy(grid.GetPoints().GetData()),
             cells.reshape(grid.GetNumberOfCells(), -1))
@@ -108,8 +110,7 @@ class Run:
     def has_adaptive_mesh(self):
         """Whether its mesh changed, and was written with the points."""
         return (self.parameters.get("Adaptive mesh/Names", "") != "" and
-                len(self.grid_frames) == len(self.frames) and
-                all(name.endswith(".vtu") for _, name in self.grid_frames))
+                len(self.grid_frames) == len(self.frames))
 
     @property
     def gravity(self):

@@ -1,3 +1,4 @@
+#include <deal.II/base/data_out_base.h>
 #include <deal.II/base/utilities.h>
 
 #include <mpm_granular/core/exceptions.h>
@@ -100,10 +101,6 @@ namespace mpm_granular::Output
                               const unsigned int             step,
                               const Contents<item_dim, dim> &contents) const
   {
-    DataOutBase::VtkFlags flags = parameters.vtk_flags();
-    flags.time                  = time;
-    flags.cycle                 = step;
-
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     const bool         in_groups = parameters.format == "PVTU";
     const unsigned int group_size =
@@ -113,7 +110,12 @@ namespace mpm_granular::Output
       const std::string piece =
         (fs::path(file).parent_path() / name_of_piece(file, group.index))
           .string();
-      write_vtu(in_groups ? piece : file, flags, contents, group.communicator);
+      write_vtu(in_groups ? piece : file,
+                time,
+                step,
+                parameters.compression_level(),
+                contents,
+                group.communicator);
     });
     if (!in_groups)
       return;
@@ -123,7 +125,7 @@ namespace mpm_granular::Output
       pieces.push_back(name_of_piece(file, g));
     on_first_rank(communicator, [&] {
       write_atomically(file, [&](std::ostream &out) {
-        write_pvtu(out, flags, pieces, contents.fields);
+        write_pvtu(out, pieces, contents.fields);
       });
     });
   }

@@ -1,5 +1,6 @@
 #include <mpm_granular/core/exceptions.h>
 #include <mpm_granular/output/points_output.h>
+#include <mpm_granular/output/rows.h>
 #include <mpm_granular/parameters/name_distance.h>
 
 #include <algorithm>
@@ -232,16 +233,20 @@ namespace mpm_granular::Output
   double
   PointsOutput<dim>::estimated_file_size(const std::size_t n_points) const
   {
-    // Four bytes a number, in VTU files a third more for writing them as text;
-    // of that, compression leaves about two thirds (measured on collapsing
-    // walls).
+    // Four bytes a number: position, fields, and the number of the point itself
+    // as a cell, which in VTU files has an offset and a type of a byte, too.
+    // The part that compression leaves was measured on the collapsing wall;
+    // HDF5 sorts the bytes before.
+    const bool                     is_hdf5 = parameters.format == "HDF5";
     const Points::PointArrays<dim> none;
-    unsigned int                   n_numbers = 3 + 1;
+    unsigned int                   n_numbers = n_directions + 1;
     for (const auto &field : select(point_fields(none, laws)))
-      n_numbers += field.n_components == 1 ? 1 : 3;
-    return n_points / parameters.every_nth_point * n_numbers * 4. *
-           (parameters.format == "HDF5" ? 1. : 4. / 3.) *
-           (parameters.compression == "none" ? 1. : 0.65);
+      n_numbers += width_of(field);
+    return n_points / parameters.every_nth_point *
+           (4. * n_numbers + (is_hdf5 ? 0. : 5.)) *
+           (parameters.compression == "none" ? 1. :
+            is_hdf5                          ? 0.64 :
+                                               0.69);
   }
 
 

@@ -22,8 +22,8 @@ namespace mpm_granular::Output
         "(parameters\\.prm|manifest\\.json|observables\\.csv|profile\\.csv|"
         "drive\\.csv|yield\\.csv|"
         "log\\.txt|(points|grid)\\.(pvd|xdmf)|"
-        "points/points-[0-9]+(-[0-9]+)?\\.(vtu|pvtu|h5)|"
-        "grid/grid-[0-9]+\\.(vtu|h5)|checkpoint/step-[0-9]+\\.h5)(\\.tmp)?");
+        "(points/points|grid/grid)-[0-9]+(-[0-9]+)?\\.(vtu|pvtu|h5)|"
+        "checkpoint/step-[0-9]+\\.h5)(\\.tmp)?");
       return pattern;
     }
   } // namespace

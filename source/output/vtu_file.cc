@@ -1,13 +1,17 @@
-#include <deal.II/base/utilities.h>
-#include <deal.II/grid/reference_cell.h>
+#include <boost/endian/conversion.hpp>
 
+#include <zlib.h>
+
+#include <mpm_granular/core/exact_text.h>
+#include <mpm_granular/output/rows.h>
 #include <mpm_granular/output/run_folder.h>
 #include <mpm_granular/output/vtu_file.h>
 
-#include <algorithm>
-#include <limits>
-#include <sstream>
-#include <tuple>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <new>
+#include <type_traits>
 
 namespace mpm_granular::Output
 {
@@ -15,135 +19,293 @@ namespace mpm_granular::Output
 
   namespace
   {
-    using VectorRange =
-      std::tuple<unsigned int,
-                 unsigned int,
-                 std::string,
-                 DataComponentInterpretation::DataComponentInterpretation>;
-
-    /// The rows of a patch's data table, as deal.II wants them described.
-    struct Rows
+    /// An array of the file, on all ranks the same but for the numbers.
+    struct Array
     {
-      explicit Rows(const std::vector<Field> &fields)
-      {
-        for (const auto &field : fields)
-          {
-            const unsigned int first = names.size();
-            for (unsigned int c = 0; c < field.n_components; ++c)
-              names.push_back(field.name);
-            if (field.n_components > 1)
-              vectors.emplace_back(
-                first,
-                first + field.n_components - 1,
-                field.name,
-                DataComponentInterpretation::component_is_part_of_vector);
-          }
-      }
+      const char *section;     ///< the XML element it belongs to
+      std::string description; ///< its XML attributes
+      std::string unit;
 
-      std::vector<std::string> names;
-      std::vector<VectorRange> vectors;
+      /// This rank's numbers, as they are in the file.
+      std::function<std::string(const unsigned int compression_level)> bytes;
     };
 
 
 
-    /// Fills @p patch with item @p item.
-    template <int item_dim, int dim>
-    void
-    fill(DataOutBase::Patch<item_dim, dim> &patch,
-         const Contents<item_dim, dim>     &contents,
-         const std::size_t                  item)
+    /// An array of numbers as it is in the file: a header, then the numbers.
+    template <class Number>
+    std::string
+    bytes_of(const std::vector<Number> &numbers,
+             const unsigned int         compression_level)
     {
-      const auto nodes = contents.nodes(item);
-      for (unsigned int v = 0; v < nodes.size(); ++v)
+      const char         *data = reinterpret_cast<const char *>(numbers.data());
+      const std::uint64_t n_data = numbers.size() * sizeof(Number);
+      // VTK's header of compressed data: the number of blocks, the size of all
+      // but the last, that of the last if it is another one, and what zlib has
+      // made of each.
+      std::vector<std::uint64_t> header{n_data};
+      std::string                compressed;
+      if (compression_level > 0)
         {
-          const Point<dim> position = contents.position(nodes[v]);
-          patch.vertices[v]         = position;
-          unsigned int row          = 0;
-          for (const auto &field : contents.fields)
-            for (unsigned int c = 0; c < field.n_components; ++c)
-              patch.data(row++, v) =
-                static_cast<float>(field.value(nodes[v], c));
-          // Items other than points and boxes carry their positions here, too.
-          if constexpr (item_dim > 0)
-            for (unsigned int d = 0; d < dim; ++d)
-              patch.data(row++, v) = static_cast<float>(position[d]);
-        }
-    }
-
-
-
-    template <int item_dim, int dim>
-    std::vector<DataOutBase::Patch<item_dim, dim>>
-    make_patches(const std::size_t   n_patches,
-                 const unsigned int  n_rows,
-                 const ReferenceCell shape)
-    {
-      std::vector<DataOutBase::Patch<item_dim, dim>> patches(n_patches);
-      for (std::size_t i = 0; i < n_patches; ++i)
-        {
-          auto &patch       = patches[i];
-          patch.patch_index = i;
-          if constexpr (item_dim > 0)
+          header = {0, 0, 0};
+          if (n_data > 0)
             {
-              patch.reference_cell       = shape;
-              patch.n_subdivisions       = 1;
-              patch.points_are_available = true;
-              patch.data.reinit(n_rows + dim, shape.n_vertices());
+              uLongf n_compressed = compressBound(n_data);
+              compressed.resize(n_compressed);
+              const int status =
+                compress2(reinterpret_cast<Bytef *>(compressed.data()),
+                          &n_compressed,
+                          reinterpret_cast<const Bytef *>(data),
+                          n_data,
+                          compression_level);
+              if (status != Z_OK) // nothing else can be wrong
+                throw std::bad_alloc();
+              compressed.resize(n_compressed);
+              header = {1, n_data, 0, n_compressed};
             }
-          else
-            patch.data.reinit(n_rows, 1);
         }
-      return patches;
+      std::string bytes(reinterpret_cast<const char *>(header.data()),
+                        header.size() * sizeof(header[0]));
+      if (compression_level > 0)
+        bytes += compressed;
+      else
+        bytes.append(data, n_data);
+      return bytes;
     }
-  } // namespace
 
 
 
-  namespace
-  {
-    /// Calls @p use(text) for the text of each piece of @p contents; for one
-    /// without items, if there are none and @p at_least_one.
-    template <int item_dim, int dim, class Use>
-    void
-    for_each_piece(const Contents<item_dim, dim> &contents,
-                   DataOutBase::VtkFlags          flags,
-                   const bool                     at_least_one,
-                   Use                          &&use)
+    /// VTK's name of a type.
+    template <class Number>
+    std::string
+    name_of_type()
     {
-      const Rows rows(contents.fields);
-      auto       patches =
-        make_patches<item_dim, dim>(std::min(contents.n_items, max_piece_size),
-                                    rows.names.size(),
-                                    contents.shape);
-      for (std::size_t n_written = 0;
-           n_written < contents.n_items || (n_written == 0 && at_least_one);)
-        {
-          const std::size_t n_now =
-            std::min(contents.n_items - n_written, max_piece_size);
-          patches.resize(n_now);
-          for (std::size_t i = 0; i < n_now; ++i)
-            fill(patches[i], contents, n_written + i);
-          std::ostringstream text;
-          DataOutBase::write_vtu_main(
-            patches, rows.names, rows.vectors, flags, text);
-          use(text.str());
-          if (n_now == 0)
-            return;
-          n_written += n_now;
-          // Time and step belong to the file, not to each piece.
-          flags.time  = std::numeric_limits<double>::min();
-          flags.cycle = std::numeric_limits<unsigned int>::min();
-        }
+      return (std::is_floating_point_v<Number> ? "Float" :
+              std::is_signed_v<Number>         ? "Int" :
+                                                 "UInt") +
+             std::to_string(8 * sizeof(Number));
     }
+
+
+
+    std::string
+    describe(const std::string &type,
+             const std::string &name,
+             const unsigned int width)
+    {
+      return "type=\"" + type + "\" Name=\"" + name +
+             "\" NumberOfComponents=\"" + std::to_string(width) + "\"";
+    }
+
+    std::string
+    description_of_positions()
+    {
+      return describe(name_of_type<float>(), "Points", n_directions);
+    }
+
+    std::string
+    description_of(const Field &field)
+    {
+      return describe(field.is_natural ? name_of_type<std::uint32_t>() :
+                                         name_of_type<float>(),
+                      field.name,
+                      width_of(field));
+    }
+
+
+
+    /// What gives the bytes of an array of numbers value(row, column).
+    template <class Number, class Value>
+    auto
+    bytes_of_rows(const std::size_t  n_rows,
+                  const unsigned int width,
+                  const Value       &value)
+    {
+      return [n_rows, width, value](const unsigned int compression_level) {
+        std::vector<Number> rows;
+        fill_rows(rows, 0, n_rows, width, value);
+        return bytes_of(rows, compression_level);
+      };
+    }
+
+
+
+    /// All arrays, in the order of the file. They look at @p contents.
+    template <int item_dim, int dim>
+    std::vector<Array>
+    arrays_of(const Contents<item_dim, dim> &contents)
+    {
+      const auto         shape      = contents.shape;
+      const unsigned int n_vertices = shape.n_vertices();
+      std::vector<Array> arrays{
+        {"Points",
+         description_of_positions(),
+         "",
+         bytes_of_rows<float>(contents.n_nodes,
+                              n_directions,
+                              [&](const auto node, const auto c) {
+                                return coordinate_of(contents, node, c);
+                              })},
+        {"Cells",
+         describe(name_of_type<std::int32_t>(), "connectivity", 1),
+         "",
+         bytes_of_rows<std::int32_t>(contents.n_items,
+                                     n_vertices,
+                                     [&, shape](const auto item, const auto k) {
+                                       return contents.nodes(
+                                         item)[place_of(shape, k)];
+                                     })},
+        {"Cells",
+         describe(name_of_type<std::int32_t>(), "offsets", 1),
+         "",
+         bytes_of_rows<std::int32_t>(contents.n_items,
+                                     1,
+                                     [=](const auto item, const auto) {
+                                       return (item + 1) * n_vertices;
+                                     })},
+        {"Cells",
+         describe(name_of_type<std::uint8_t>(), "types", 1),
+         "",
+         bytes_of_rows<std::uint8_t>(contents.n_items,
+                                     1,
+                                     [=](const auto, const auto) {
+                                       return shape.vtk_linear_type();
+                                     })}};
+      for (const auto &field : contents.fields)
+        {
+          const auto value = [&field](const auto node, const auto c) {
+            return number_of(field, node, c);
+          };
+          const unsigned int width = width_of(field);
+          Array array{"PointData", description_of(field), field.unit, {}};
+          if (field.is_natural)
+            array.bytes =
+              bytes_of_rows<std::uint32_t>(contents.n_nodes, width, value);
+          else
+            array.bytes = bytes_of_rows<float>(contents.n_nodes, width, value);
+          arrays.push_back(std::move(array));
+        }
+      return arrays;
+    }
+
+
+
+    /// What a rank has in the file.
+    struct Piece
+    {
+      unsigned int               rank;
+      std::uint64_t              n_nodes, n_items;
+      std::vector<std::uint64_t> offsets; ///< where each array begins [bytes]
+    };
+
+
+
+    /// All ranks with items, on the first rank; if there are none, itself, as
+    /// there must be a piece.
+    template <int item_dim, int dim>
+    std::vector<Piece>
+    pieces_of(const Contents<item_dim, dim> &contents,
+              const std::size_t              n_arrays,
+              const MPI_Comm                 communicator)
+    {
+      const auto sizes =
+        Utilities::MPI::gather(communicator,
+                               std::array<std::uint64_t, 2>{
+                                 {contents.n_nodes, contents.n_items}});
+      std::vector<Piece> pieces;
+      const auto         add = [&](const unsigned int rank) {
+        pieces.push_back({rank,
+                          sizes[rank][0],
+                          sizes[rank][1],
+                          std::vector<std::uint64_t>(n_arrays, 0)});
+      };
+      for (unsigned int rank = 0; rank < sizes.size(); ++rank)
+        if (sizes[rank][1] > 0)
+          add(rank);
+      if (pieces.empty() && !sizes.empty())
+        add(0);
+      return pieces;
+    }
+
+
+
+    /// An attribute that is as long for any number.
+    std::string
+    offset_attribute(const std::uint64_t offset)
+    {
+      std::string text = " offset=\"" + std::to_string(offset) + "\"";
+      text.resize(30, ' ');
+      return text;
+    }
+
+
+
+    /// The XML before the arrays, as long for any offsets.
+    std::string
+    head(const double              time,
+         const unsigned int        step,
+         const bool                is_compressed,
+         const std::vector<Array> &arrays,
+         const std::vector<Piece> &pieces)
+    {
+      std::string text =
+        R"(<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="1.0" byte_order=")";
+      text += boost::endian::order::native == boost::endian::order::little ?
+                "LittleEndian" :
+                "BigEndian";
+      text += R"(" header_type="UInt64")";
+      if (is_compressed)
+        text += R"( compressor="vtkZLibDataCompressor")";
+      text += R"(>
+<UnstructuredGrid>
+<FieldData>
+<DataArray type="Int32" Name="CYCLE" NumberOfTuples="1" format="ascii">)" +
+              std::to_string(step) + R"(</DataArray>
+<DataArray type="Float64" Name="TIME" NumberOfTuples="1" format="ascii">)" +
+              Core::exact_text(time) + R"(</DataArray>
+</FieldData>
+)";
+      for (const auto &piece : pieces)
+        {
+          text += R"(<Piece NumberOfPoints=")" + std::to_string(piece.n_nodes) +
+                  R"(" NumberOfCells=")" + std::to_string(piece.n_items) +
+                  "\">\n";
+          for (const std::string section : {"Points", "Cells", "PointData"})
+            {
+              text += "<" + section + ">\n";
+              for (std::size_t a = 0; a < arrays.size(); ++a)
+                if (arrays[a].section == section)
+                  {
+                    text += "<DataArray " + arrays[a].description +
+                            R"( format="appended")" +
+                            offset_attribute(piece.offsets[a]);
+                    if (arrays[a].unit.empty())
+                      text += "/>\n";
+                    else
+                      text +=
+                        R"(>
+<InformationKey name="UNITS_LABEL" location="vtkDataArray">)" +
+                        arrays[a].unit + "</InformationKey>\n</DataArray>\n";
+                  }
+              text += "</" + section + ">\n";
+            }
+          text += "</Piece>\n";
+        }
+      return text + "</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+    }
+
+    constexpr char tail[] = "\n</AppendedData>\n</VTKFile>\n";
+
+
 
     constexpr int tag = 7412;
 
-    /// Sends a piece to the first rank; an empty text ends them.
     void
-    send_to_first(const std::string &text, const MPI_Comm communicator)
+    send_to_first(const std::string &bytes, const MPI_Comm communicator)
     {
       const int error =
-        MPI_Send(text.data(), text.size(), MPI_CHAR, 0, tag, communicator);
+        MPI_Send(bytes.data(), bytes.size(), MPI_CHAR, 0, tag, communicator);
       AssertThrowMPI(error);
     }
 
@@ -156,8 +318,8 @@ namespace mpm_granular::Output
       AssertThrowMPI(error);
       error = MPI_Get_count(&status, MPI_CHAR, &n_bytes);
       AssertThrowMPI(error);
-      std::string text(n_bytes, '\0');
-      error = MPI_Recv(text.data(),
+      std::string bytes(n_bytes, '\0');
+      error = MPI_Recv(bytes.data(),
                        n_bytes,
                        MPI_CHAR,
                        rank,
@@ -165,7 +327,7 @@ namespace mpm_granular::Output
                        communicator,
                        MPI_STATUS_IGNORE);
       AssertThrowMPI(error);
-      return text;
+      return bytes;
     }
 
 
@@ -174,43 +336,41 @@ namespace mpm_granular::Output
     template <int item_dim, int dim>
     void
     write_to(std::ostream                  &out,
-             const DataOutBase::VtkFlags   &flags,
+             const double                   time,
+             const unsigned int             step,
+             const unsigned int             compression_level,
              const Contents<item_dim, dim> &contents,
              const MPI_Comm                 communicator)
     {
-      DataOutBase::VtkFlags piece_flags = flags;
-      for (const auto &field : contents.fields)
-        if (!field.unit.empty())
-          piece_flags.physical_units[field.name] = field.unit;
-
+      const auto arrays = arrays_of(contents);
+      auto       pieces = pieces_of(contents, arrays.size(), communicator);
       if (Utilities::MPI::this_mpi_process(communicator) > 0)
         {
-          piece_flags.time  = std::numeric_limits<double>::min();
-          piece_flags.cycle = std::numeric_limits<unsigned int>::min();
-          for_each_piece(contents, piece_flags, false, [&](const auto &text) {
-            send_to_first(text, communicator);
-          });
-          send_to_first("", communicator);
+          if (contents.n_items > 0)
+            for (const auto &array : arrays)
+              send_to_first(array.bytes(compression_level), communicator);
           return;
         }
 
-      // By way of strings: deal.II throws where a stream has failed, and this
-      // rank must listen to the others all the same.
-      std::ostringstream frame;
-      DataOutBase::write_vtu_header(frame, piece_flags);
-      out << frame.str();
-      for_each_piece(contents, piece_flags, true, [&](const auto &text) {
-        out << text;
-      });
-      for (unsigned int rank = 1;
-           rank < Utilities::MPI::n_mpi_processes(communicator);
-           ++rank)
-        for (std::string text;
-             !(text = receive_from(rank, communicator)).empty();)
-          out << text;
-      frame.str("");
-      DataOutBase::write_vtu_footer(frame);
-      out << frame.str();
+      const auto write_head = [&] {
+        out << head(time, step, compression_level > 0, arrays, pieces);
+      };
+      write_head();
+      std::uint64_t offset = 0;
+      for (std::size_t a = 0; a < arrays.size(); ++a)
+        for (auto &piece : pieces)
+          {
+            const std::string bytes = piece.rank == 0 ?
+                                        arrays[a].bytes(compression_level) :
+                                        receive_from(piece.rank, communicator);
+            out << bytes;
+            piece.offsets[a] = offset;
+            offset += bytes.size();
+          }
+      out << tail;
+      // Once more, now that the offsets are known.
+      out.seekp(0);
+      write_head();
     }
   } // namespace
 
@@ -219,12 +379,14 @@ namespace mpm_granular::Output
   template <int item_dim, int dim>
   void
   write_vtu(const std::string             &path,
-            const DataOutBase::VtkFlags   &flags,
+            const double                   time,
+            const unsigned int             step,
+            const unsigned int             compression_level,
             const Contents<item_dim, dim> &contents,
             const MPI_Comm                 communicator)
   {
     const auto write = [&](std::ostream &out) {
-      write_to(out, flags, contents, communicator);
+      write_to(out, time, step, compression_level, contents, communicator);
     };
     std::ostream nowhere(nullptr);
     if (Utilities::MPI::this_mpi_process(communicator) > 0)
@@ -253,37 +415,37 @@ namespace mpm_granular::Output
 
   void
   write_pvtu(std::ostream                   &out,
-             const DataOutBase::VtkFlags    &flags,
              const std::vector<std::string> &files,
              const std::vector<Field>       &fields)
   {
-    const Rows         rows(fields);
-    std::ostringstream text;
-    DataOutBase::write_pvtu_record(
-      text, files, rows.names, rows.vectors, flags);
-    out << text.str();
+    out << R"(<?xml version="1.0"?>
+<VTKFile type="PUnstructuredGrid" version="1.0">
+<PUnstructuredGrid GhostLevel="0">
+<PPoints>
+<PDataArray )"
+        << description_of_positions() << R"(/>
+</PPoints>
+<PPointData>
+)";
+    for (const auto &field : fields)
+      out << "<PDataArray " << description_of(field) << "/>\n";
+    out << "</PPointData>\n";
+    for (const auto &file : files)
+      out << "<Piece Source=\"" << file << "\"/>\n";
+    out << "</PUnstructuredGrid>\n</VTKFile>\n";
   }
 
 
 
-  template void
-  write_vtu(const std::string &,
-            const DataOutBase::VtkFlags &,
-            const Contents<0, 2> &,
-            const MPI_Comm);
-  template void
-  write_vtu(const std::string &,
-            const DataOutBase::VtkFlags &,
-            const Contents<0, 3> &,
-            const MPI_Comm);
-  template void
-  write_vtu(const std::string &,
-            const DataOutBase::VtkFlags &,
-            const Contents<2, 2> &,
-            const MPI_Comm);
-  template void
-  write_vtu(const std::string &,
-            const DataOutBase::VtkFlags &,
-            const Contents<3, 3> &,
-            const MPI_Comm);
+#define INSTANTIATE(item_dim, dim)                         \
+  template void write_vtu(const std::string &,             \
+                          const double,                    \
+                          const unsigned int,              \
+                          const unsigned int,              \
+                          const Contents<item_dim, dim> &, \
+                          const MPI_Comm);
+  INSTANTIATE(0, 2)
+  INSTANTIATE(0, 3)
+  INSTANTIATE(2, 2)
+  INSTANTIATE(3, 3)
 } // namespace mpm_granular::Output

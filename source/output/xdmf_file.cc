@@ -1,5 +1,6 @@
 #include <mpm_granular/core/exact_text.h>
 #include <mpm_granular/core/hdf5_file.h>
+#include <mpm_granular/output/rows.h>
 #include <mpm_granular/output/xdmf_file.h>
 
 #include <cstdint>
@@ -10,14 +11,8 @@ namespace mpm_granular::Output
 
   namespace
   {
-    /// Positions and vectors, also in 2D: what programs that draw expect.
-    constexpr unsigned int n_directions = 3;
-
-    unsigned int
-    width_of(const Field &field)
-    {
-      return field.n_components == 1 ? 1 : n_directions;
-    }
+    /// Rows that are converted and written at a time.
+    constexpr std::size_t max_piece_size = 65536;
 
 
 
@@ -31,16 +26,6 @@ namespace mpm_granular::Output
              shape == ReferenceCells::Quadrilateral ? "Quadrilateral" :
              shape == ReferenceCells::Tetrahedron   ? "Tetrahedron" :
                                                       "Hexahedron";
-    }
-
-
-
-    /// The vertex, in deal.II's order, that XDMF has as number @p k: it goes
-    /// around the sides of hypercubes.
-    unsigned int
-    place_of(const ReferenceCell shape, const unsigned int k)
-    {
-      return shape.is_hyper_cube() && k % 4 >= 2 ? k ^ 1u : k;
     }
 
 
@@ -83,19 +68,15 @@ namespace mpm_granular::Output
                const Value        &value)
     {
       std::vector<Number> piece;
-      file.write_in_pieces(name,
-                           Core::number_type<Number>(),
-                           extent,
-                           {max_piece_size, compression_level},
-                           [&](const std::uint64_t first,
-                               const std::uint64_t n_rows) {
-                             piece.resize(n_rows * extent.width);
-                             for (std::uint64_t row = 0; row < n_rows; ++row)
-                               for (unsigned int c = 0; c < extent.width; ++c)
-                                 piece[row * extent.width + c] =
-                                   static_cast<Number>(value(first + row, c));
-                             return piece.data();
-                           });
+      file.write_in_pieces(
+        name,
+        Core::number_type<Number>(),
+        extent,
+        {max_piece_size, compression_level},
+        [&](const std::uint64_t first, const std::uint64_t n_rows) {
+          fill_rows(piece, first, n_rows, extent.width, value);
+          return piece.data();
+        });
     }
 
 
@@ -137,7 +118,7 @@ namespace mpm_granular::Output
                         with_width(nodes, n_directions),
                         compression_level,
                         [&](const std::size_t node, const unsigned int c) {
-                          return c < dim ? contents.position(node)[c] : 0.;
+                          return coordinate_of(contents, node, c);
                         });
       write_rows<std::uint32_t>(
         file,
@@ -153,7 +134,7 @@ namespace mpm_granular::Output
           const std::string  name   = "fields/" + field.name;
           const Core::Extent extent = with_width(nodes, width_of(field));
           const auto value = [&](const std::size_t node, const unsigned int c) {
-            return c < field.n_components ? field.value(node, c) : 0.;
+            return number_of(field, node, c);
           };
           if (field.is_natural)
             write_rows<std::uint32_t>(

@@ -116,7 +116,8 @@ print_agreement(const std::string                                &path,
 
 
 
-/// Prints what the group of @p pattern finds in the file, one a line.
+/// Prints what the group of @p pattern finds in the file before the arrays of a
+/// VTU file, one a line.
 void
 print_matches(const std::string &path, const std::string &pattern)
 {
@@ -124,8 +125,9 @@ print_matches(const std::string &path, const std::string &pattern)
     return;
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
-  const std::string contents = text.str();
-  const std::regex  wanted(pattern);
+  const std::string contents =
+    text.str().substr(0, text.str().find("<AppendedData"));
+  const std::regex wanted(pattern);
   for (std::sregex_iterator match(contents.begin(), contents.end(), wanted),
        end;
        match != end;
@@ -226,7 +228,7 @@ main(int argc, char **argv)
   write("PVTU, two ranks a file", parameters);
   print_matches("run/points/points-00001.pvtu", "<Piece ([^>]*)/>");
   print_matches("run/points/points-00001.pvtu", "<PDataArray ([^>]*)/>");
-  print_matches("run/points/points-00001-0000.vtu", "<Piece ([^>]*) >");
+  print_matches("run/points/points-00001-0000.vtu", "<Piece ([^>]*)>");
   print_matches("run/points.pvd", "<DataSet (timestep[^>]*)/>");
 
   say("Errors");

@@ -99,6 +99,8 @@ main()
                                  "points/points-00003-0012.vtu",
                                  "points/points-00004.h5",
                                  "grid.xdmf.tmp",
+                                 "grid/grid-00003.pvtu",
+                                 "grid/grid-00003-0012.vtu",
                                  "grid/grid-00004.h5",
                                  "checkpoint/step-0000000100.h5",
                                  "checkpoint/step-0000000200.h5.tmp",

@@ -1,6 +1,7 @@
 // VTU files of points and grid: the values of all fields against hand
 // calculations, the number of pieces, points and cells, the names of the
-// fields, the record over time, and the refusal of fields that do not exist.
+// fields, the record over time, the estimated size, and the refusal of fields
+// that do not exist.
 
 #include <deal.II/base/mpi.h>
 
@@ -10,6 +11,7 @@
 #include <mpm_granular/output/grid_output.h>
 #include <mpm_granular/output/points_output.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -19,15 +21,17 @@
 
 using namespace Test;
 
-/// Prints what the group of @p pattern finds in the file, one a line.
+/// Prints what the group of @p pattern finds in the file before the arrays of a
+/// VTU file, one a line.
 void
 print_matches(const std::string &path, const std::string &pattern)
 {
   std::ifstream      file(path);
   std::ostringstream text;
   text << file.rdbuf();
-  const std::string contents = text.str();
-  const std::regex  wanted(pattern);
+  const std::string contents =
+    text.str().substr(0, text.str().find("<AppendedData"));
+  const std::regex wanted(pattern);
   for (std::sregex_iterator match(contents.begin(), contents.end(), wanted),
        end;
        match != end;
@@ -87,12 +91,17 @@ write_points(const Output::OutputParameters &parameters)
   points.resize(0, 1);
   output.write(1., 20, points);
   std::cout << "Files: " << output.n_files() << std::endl;
+  std::cout << "Estimated size over that of the first: "
+            << std::lround(100. * output.estimated_file_size(70000) /
+                           std::filesystem::file_size(
+                             parameters.directory + "/points/points-00000.vtu"))
+            << " %" << std::endl;
   for (const std::string number : {"0", "1", "2"})
     {
       const std::string file =
         parameters.directory + "/points/points-0000" + number + ".vtu";
       std::cout << file << std::endl;
-      print_matches(file, "<Piece ([^>]*) >");
+      print_matches(file, "<Piece ([^>]*)>");
       print_matches(file, "Name=\"TIME\"[^>]*>([^<]*)<");
     }
   std::cout << "Arrays of the second file" << std::endl;
@@ -129,7 +138,7 @@ write_grid(const Output::OutputParameters &parameters)
         return 1. * d;
       }}});
   const std::string file = parameters.directory + "/grid/grid-00000.vtu";
-  print_matches(file, "<Piece ([^>]*) >");
+  print_matches(file, "<Piece ([^>]*)>");
   print_matches(file, " Name=\"([^\"]*)\"");
   print_matches(parameters.directory + "/grid.pvd",
                 "<DataSet (timestep[^>]*)/>");

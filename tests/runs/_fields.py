@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonCore import vtkStringOutputWindow, vtkOutputWindow
 from _program import PROGRAM, SOURCE_DIR
 
 sys.path.insert(0, str(SOURCE_DIR / "scripts"))
-from plotting.run import read_points  # noqa: E402
+from plotting.run import read_grid, read_mesh, read_points  # noqa: E402,F401
 
 # What VTK complains about, instead of printing it.
 MESSAGES = vtkStringOutputWindow()
@@ -20,9 +20,11 @@ vtkOutputWindow.SetInstance(MESSAGES)
 
 
 def read_vtk(path):
-    """Positions and fields in a VTU or PVTU file."""
+    """Positions and fields in a VTU or PVTU file; of a mesh also its cells."""
     before = MESSAGES.GetOutput()
     fields = read_points(path)
+    if path.parent.name == "grid":
+        fields["cells"] = read_mesh(path)[1]
     assert path.is_file() and MESSAGES.GetOutput() == before, \
         f"{path}: {MESSAGES.GetOutput()}"
     return fields

@@ -1,7 +1,7 @@
 """Files of points and grid in every format, on 1, 2 and 3 processes, hold the same
 numbers: bit for bit those of the VTU files on as many processes, and up to
-round-off those of one process; every nth point is the same one everywhere; runs
-that were stopped and continued leave the same files; what cannot be written ends
+round-off those of one process; every nth point is the same one everywhere; VTK
+sees the cells as they are, and files without points; runs that were stopped and continued leave the same files; what cannot be written ends
 the run with one message and the exit code."""
 
 import os
@@ -12,21 +12,27 @@ import time
 
 import numpy
 
-from _case import Folder
-from _fields import by_id, read_series
+from vtkmodules.all import vtkCellSizeFilter  # its module depends on the version
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_QUAD, VTK_TETRA,
+                                           VTK_TRIANGLE)
+
+from _case import Folder, escaping_body
+from _fields import by_id, read_grid, read_series
 from _program import PROGRAM, TIME_LIMIT
 from _restart import IS_DEBUG, Case, checks, column, interrupted, same
 
 END = ".02"
 SHORT = ["Output/Interval=.01"]
 PVTU = "Output/Format=PVTU"
+COMPRESSED = "Output/Compression=fast"
 FORMATS = {"VTU": ["Output/Format=VTU"],
            "PVTU": [PVTU],
            "PVTU of two ranks": [PVTU, "Output/Ranks per file=2"],
            "HDF5": ["Output/Format=HDF5"],
-           "VTU without compression": ["Output/Compression=none"],
-           "HDF5 without compression": ["Output/Format=HDF5",
-                                        "Output/Compression=none"]}
+           "VTU with compression": [COMPRESSED],
+           "HDF5 with compression": ["Output/Format=HDF5", COMPRESSED]}
 MANY = ["Points/body/Points per cell=16"]
 RANKS = ((1, 2, 3) if os.environ.get("MPM_MPIEXEC") and not IS_DEBUG else (1,))
 
@@ -57,12 +63,11 @@ def compare_points(name, series, reference, tolerance=0.):
 
 
 def compare_grids(name, series, reference):
-    """Whether an HDF5 grid, or one of VTU files, is that of VTU files, which
-    repeat the nodes in each of their cells."""
+    """Whether two runs wrote the same grids, nodes and cells in the same order."""
     checks.that(len(series) == len(reference) == 3, f"{name}: grids")
     for (time, some), (_, others) in zip(series, reference):
-        cells = some.get("cells", numpy.arange(len(some["position"]))).ravel()
-        checks.that(all(numpy.array_equal(some[field][cells], others[field])
+        checks.that(some.keys() == others.keys() and
+                    all(numpy.array_equal(some[field], others[field])
                         for field in others) and others["mass"].max() > 0.,
                     f"{name}, {time} s: grid")
 
@@ -74,7 +79,7 @@ for dim in (2, 3):
         compare_points(f"{dim}D, VTU on {ranks}", reference[ranks][0],
                        reference[1][0], 0. if ranks == 1 else 1e-6)
         for name, settings in FORMATS.items():
-            if name == "VTU" or "without" in name and ranks != RANKS[-1]:
+            if name == "VTU" or "with comp" in name and ranks != RANKS[-1]:
                 continue
             points, grid, files = files_of(dim, settings, ranks)
             where = f"{dim}D, {name} on {ranks}"
@@ -95,6 +100,48 @@ for name, ranks in (("VTU", 1), ("PVTU", RANKS[-1]), ("HDF5", RANKS[-1])):
     checks.that(n_points == -(-len(reference[ranks][0][0][1]["id"]) // 7),
                 "every 7th point: number", str(n_points))
     compare_points(f"every 7th point, {name}", points, every_seventh)
+
+# The cells as VTK sees them: their shape, and sizes that add up to the mesh's.
+SHAPES = {(2, "simplices"): VTK_TRIANGLE, (2, "hypercubes"): VTK_QUAD,
+          (3, "simplices"): VTK_TETRA, (3, "hypercubes"): VTK_HEXAHEDRON}
+for (dim, kind), shape in SHAPES.items():
+    for name, settings in (("VTU", FORMATS["VTU with compression"]),
+                           ("PVTU", FORMATS["PVTU"])):
+        with Folder() as folder:
+            case = Case(folder, column(dim, kind, "0"), settings, RANKS[-1])
+            case.run(*case.start("--set=Checkpoint/At end=false"))
+            sizes = vtkCellSizeFilter()
+            sizes.SetInputData(read_grid(next(
+                case.path.glob("grid/grid-00000." + name.lower()))))
+            sizes.Update()
+            grid = sizes.GetOutput()
+            volumes = vtk_to_numpy(grid.GetCellData().GetArray(
+                "Area" if dim == 2 else "Volume"))
+            expected = .6 * .5 * (1. if dim == 2 else .1)
+            types = {grid.GetCellType(i) for i in range(grid.GetNumberOfCells())}
+            units = [grid.GetPointData().GetArray(field).GetInformation().Get(
+                vtkDataArray.UNITS_LABEL()) for field in ("velocity", "mass")]
+            checks.that(types == {shape} and volumes.min() > 0. and
+                        abs(volumes.sum() / expected - 1.) < 1e-6 and
+                        (name == "PVTU" or units[0] == "m/s"),
+                        f"{dim}D, {kind}, {name}: cells",
+                        f"{types} {volumes.min()} {volumes.sum()} {units}")
+
+# One of the lowest points alone, on one of the ranks; none, when it has left.
+ONE_POINT = escaping_body().replace(
+    "set Names = body", "set Names = body\n  set Remove lost points = true")
+for ranks in {1, RANKS[-1]}:
+    for name, settings in FORMATS.items():
+        with Folder() as folder:
+            case = Case(folder, ONE_POINT, [
+                *settings, "End time=.3", "Output/Interval=.1",
+                "Output/Every nth point=441"], ranks)
+            case.run(*case.start("--set=Checkpoint/At end=false"))
+            series = read_series(case.path)
+            numbers = [len(fields["position"]) for _, fields in series]
+            checks.that(numbers == [1, 1, 1, 0] and
+                        series[0][1]["id"].tolist() == [441],
+                        f"{name} on {ranks}: one point, then none", str(numbers))
 
 # Stopped and continued, with other ranks for the files to come: the record is
 # complete and names no file that is gone.

@@ -13,10 +13,6 @@
 
 namespace mpm_granular::Output
 {
-  /// Items or nodes that are converted and written at a time, so that the
-  /// memory this takes does not grow with the run.
-  constexpr std::size_t max_piece_size = 65536;
-
   /// A quantity to be written, as a function of the index of a node.
   struct Field
   {
@@ -38,8 +34,8 @@ namespace mpm_granular::Output
 
   /**
    * What a file shows of this rank: items of one shape, of dimension @p item_dim
-   * (0 for points), with nodal fields. Nothing is copied; pieces are converted
-   * one after the other.
+   * (0 for points), with nodal fields. Nothing is copied; arrays are made one
+   * after the other.
    */
   template <int item_dim, int dim>
   struct Contents

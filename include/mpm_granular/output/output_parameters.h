@@ -1,8 +1,6 @@
 #ifndef mpm_granular_output_output_parameters_h
 #define mpm_granular_output_output_parameters_h
 
-#include <deal.II/base/data_out_base.h>
-
 #include <mpm_granular/parameters/parameter_group.h>
 
 #include <string>
@@ -22,7 +20,7 @@ namespace mpm_granular::Output
     bool                     write_grid           = false;
     std::string              format               = "VTU";
     unsigned int             ranks_per_file       = 1; ///< PVTU
-    std::string              compression          = "fast";
+    std::string              compression          = "none";
 
     void
     add_parameters(dealii::ParameterHandler &prm) override;
@@ -33,10 +31,6 @@ namespace mpm_granular::Output
     /// The level of compression, from 0, not at all, to 9.
     unsigned int
     compression_level() const;
-
-    /// The flags of deal.II for VTU files.
-    dealii::DataOutBase::VtkFlags
-    vtk_flags() const;
   };
 } // namespace mpm_granular::Output
 

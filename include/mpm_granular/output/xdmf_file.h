@@ -12,8 +12,9 @@
 namespace mpm_granular::Output
 {
   /**
-   * Writes an HDF5 file, all ranks together, in pieces of at most
-   * max_piece_size rows, atomically (see Core::write_hdf5_atomically()): arrays
+   * Writes an HDF5 file, all ranks together, in pieces of so many rows that the
+   * memory does not grow with the run, atomically (see
+   * Core::write_hdf5_atomically()): arrays
    * `position`, `cells` (the nodes of each item), `fields/NAME`, `time`, with
    * the ranks' rows in the order of the ranks. Positions and vectors have three
    * components. Numbers are those of a VTU file, of single precision; natural
