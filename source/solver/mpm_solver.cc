@@ -63,8 +63,9 @@ namespace mpm_granular::Solver
   void
   MPMSolver<dim>::smooth_pressures()
   {
-    // Noise grows over some steps; a quarter of it at a time costs little.
-    constexpr double part = 0.25;
+    // Noise grows over some steps, each of which would cost as much as the
+    // filter: half of it at a time.
+    constexpr double part = 0.5;
     if (scheme.filter_rate * since_filter < part)
       return;
     ledger.filter_loss +=
