@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace mpm_granular::Materials
@@ -24,6 +25,12 @@ namespace mpm_granular::Materials
     const double inverse_6G = 1. / (6. * moduli.shear());
     double       released   = 0.;
 
+    // A stress beyond any yield surface, q = 3 p of 90 degrees in compression,
+    // which fast flow brings about, does not grow: at hardly pressed points
+    // that would be a kick.
+    constexpr double steepest = 3.;
+    const double     smallest = negligible * negligible;
+
     constexpr unsigned int       capacity = 64;
     std::array<double, capacity> of_points;
     for (unsigned int begin = run.begin; begin < run.end; begin += capacity)
@@ -35,14 +42,18 @@ namespace mpm_granular::Materials
         MPM_INDEPENDENT_ITERATIONS
         for (unsigned int i = 0; i < n_points; ++i)
           {
-            const Stress<dim> old   = stress.load(i);
-            const double      p     = pressure(old);
-            Stress<dim>       s     = deviator(old);
-            const double      part  = p > negligible ? fraction : 0.;
-            const double      new_p = p + part * (wanted[i] - p);
-            const double      ratio =
-              p > negligible ? (new_p + apex) / (p + apex) : 1.;
-            const double q_square = equivalent_stress_square(s);
+            const Stress<dim> old      = stress.load(i);
+            const double      p        = pressure(old);
+            Stress<dim>       s        = deviator(old);
+            const double      part     = p > negligible ? fraction : 0.;
+            const double      new_p    = p + part * (wanted[i] - p);
+            const double      q_square = equivalent_stress_square(s);
+            const double      most =
+              steepest * (new_p + apex) / std::sqrt(q_square + smallest);
+            const double ratio =
+              p > negligible ?
+                std::min((new_p + apex) / (p + apex), std::max(1., most)) :
+                1.;
             for (double &component : s)
               component *= ratio;
             stress.store(i, s, new_p);
