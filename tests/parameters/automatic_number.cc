@@ -16,9 +16,9 @@ main()
   for (const std::string text :
        {"automatic", "0", "2.5e2", "-1", "100/s", "automatc", ""})
     std::cout << '\'' << text << "': " << pattern.match(text)
-              << mpm_granular::Parameters::hint_for(text,
-                                                    pattern.description(),
-                                                    "1/s")
+              << (pattern.match(text) ? "" :
+                                        mpm_granular::Parameters::hint_for(
+                                          text, pattern.description(), "1/s"))
               << std::endl;
   std::cout << AutomaticNumber::value_of("automatic", 3.) << ' '
             << AutomaticNumber::value_of("2.5e2", 3.) << std::endl;
