@@ -43,7 +43,7 @@ preflight()
   report.max_points_per_cell = 4;
   report.mass                = 3000.;
   report.materials = {{"sand", "drucker prager", 1500., 29.957, 6400}};
-  report.averaging = "nodes";
+  report.averaging = "cells";
   report.pressure_filter_rate = 120.;
   report.end_time             = 2.;
   report.stable_dt            = 4e-4;
