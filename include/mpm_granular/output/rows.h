@@ -41,8 +41,7 @@ namespace mpm_granular::Output
   }
 
   /// The vertex of an item, in deal.II's order, that VTK and XDMF have as
-  /// number
-  /// @p k: theirs goes around the sides of hypercubes.
+  /// number @p k: theirs goes around the sides of hypercubes.
   inline unsigned int
   place_of(const dealii::ReferenceCell shape, const unsigned int k)
   {
