@@ -71,7 +71,8 @@ namespace mpm_granular::Solver
     ledger.filter_loss +=
       sweep.smooth_pressures(points.arrays(),
                              fields,
-                             std::min(1., scheme.filter_rate * since_filter));
+                             std::min(1., scheme.filter_rate * since_filter),
+                             since_filter);
     if (!averaging.sets_forces())
       fields.gather_forces();
     since_filter = 0.;

@@ -45,7 +45,7 @@ namespace mpm_granular::Solver
     , regions({"body"})
     , boundary_conditions({"walls"})
     , velocity_update("blend")
-    , averaging("none")
+    , averaging("automatic")
     , damping("none")
   {}
 

@@ -47,15 +47,17 @@ namespace mpm_granular::Solver
       return names;
     }
 
-    /// Those of the laws, then those of the transfer.
+    /// Those of the laws, then those of the velocity update, then the others.
     template <int dim>
     std::vector<std::string>
-    history_names(const Laws<dim>                     &laws,
-                  const Transfer::VelocityUpdate<dim> &velocity_update)
+    history_names(const Laws<dim> &laws, const RunParameters<dim> &parameters)
     {
-      auto       names       = history_names<dim>(laws);
-      const auto of_transfer = velocity_update.history_names();
-      names.insert(names.end(), of_transfer.begin(), of_transfer.end());
+      auto names = history_names<dim>(laws);
+      for (const auto &of_transfer :
+           {parameters.velocity_update->history_names(),
+            Transfer::SettledPressures<dim>::history_names(
+              parameters.equilibrium.is_wanted)})
+        names.insert(names.end(), of_transfer.begin(), of_transfer.end());
       return names;
     }
 
@@ -82,16 +84,23 @@ namespace mpm_granular::Solver
                 parameters.averaging->reaches_beyond_cells())
     , adaptation(parameters.adaptation)
     , laws(laws_of(parameters))
-    , points(mesh,
-             partition,
-             history_names<dim>(laws, *parameters.velocity_update))
+    , points(mesh, partition, history_names<dim>(laws, parameters))
     , fields(mesh, partition)
     , boundary(parameters.boundary_conditions, mesh, communicator)
     , momentum(parameters.momentum, mesh, least_density<dim>(laws))
     , averaging(*parameters.averaging)
     , velocity_update(*parameters.velocity_update)
     , step_control(parameters.time_step)
-    , sweep(mesh, partition, laws, averaging, velocity_update)
+    , settled_pressures(mesh,
+                        history_names<dim>(laws).size() +
+                          velocity_update.history_names().size(),
+                        parameters.equilibrium.is_wanted)
+    , sweep(mesh,
+            partition,
+            laws,
+            averaging,
+            velocity_update,
+            settled_pressures)
   {
     averaging.reinit(mesh, partition, largest_specific_volumes());
     velocity_update.set_first_slot(history_names<dim>(laws).size());
@@ -184,7 +193,8 @@ namespace mpm_granular::Solver
       if (law->has_smoothable_pressure())
         largest_speed = std::max(largest_speed, law->wave_speed());
     const bool is_granular = largest_speed > 0.;
-    if (averaging.suit(n_points / n_cells, is_granular))
+    if (averaging.suit(
+          {n_points / n_cells, is_granular, parameters.equilibrium.is_wanted}))
       averaging.reinit(mesh, partition, largest_specific_volumes());
 
     const double size = mesh.size_of_cell(volume / n_cells);

@@ -116,6 +116,8 @@ namespace mpm_granular::Solver
       }
     ledger       = {};
     current_time = 0.;
+    fields.gather_nodes(); // (T9)
+    sweep.settle_pressures(arrays, fields);
     project();
     agree_on_state();
   }

@@ -12,12 +12,14 @@ namespace mpm_granular::Solver
     const Mesh::Partition<dim>                                 &partition,
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws,
     Transfer::Averaging<dim>                                   &averaging,
-    const Transfer::VelocityUpdate<dim>                        &velocity_update)
+    const Transfer::VelocityUpdate<dim>                        &velocity_update,
+    const Transfer::SettledPressures<dim> &settled_pressures)
     : mesh(mesh)
     , partition(partition)
     , laws(laws)
     , averaging(averaging)
     , velocity_update(velocity_update)
+    , settled_pressures(settled_pressures)
     , filter(mesh)
   {}
 
@@ -178,10 +180,9 @@ namespace mpm_granular::Solver
   }
 
   template <int dim>
-  double
-  Sweep<dim>::smooth_pressures(Points::PointArrays<dim> &points,
-                               Grid::NodalFields<dim>   &fields,
-                               const double              fraction)
+  void
+  Sweep<dim>::sum_pressures(Points::PointArrays<dim> &points,
+                            Grid::NodalFields<dim>   &fields)
   {
     filter.reinit(fields);
     for_each_block(points, [&] {
@@ -191,12 +192,22 @@ namespace mpm_granular::Solver
           filter.add(fields, points, block, run);
     });
     filter.find_gradients(fields);
+  }
 
+  template <int dim>
+  double
+  Sweep<dim>::smooth_pressures(Points::PointArrays<dim> &points,
+                               Grid::NodalFields<dim>   &fields,
+                               const double              fraction,
+                               const double              time)
+  {
+    sum_pressures(points, fields);
     double released_energy = 0.;
     clear_stresses(fields);
     for_each_block(points, [&] {
       find_shape_values(points);
       filter.evaluate(fields, points, block, smooth_pressure);
+      settled_pressures.add(points, block, time, smooth_pressure);
       for_each_law(points,
                    block.runs,
                    [&](const auto &law, const auto first, const auto last) {
@@ -212,6 +223,19 @@ namespace mpm_granular::Solver
       averaging.add_stresses(points, block, fields);
     });
     return released_energy;
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::settle_pressures(Points::PointArrays<dim> &points,
+                               Grid::NodalFields<dim>   &fields)
+  {
+    sum_pressures(points, fields);
+    for_each_block(points, [&] {
+      find_shape_values(points);
+      filter.evaluate(fields, points, block, smooth_pressure);
+      settled_pressures.keep(points, block, smooth_pressure);
+    });
   }
 
   template class Sweep<2>;

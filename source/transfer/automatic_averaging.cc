@@ -25,13 +25,15 @@ namespace mpm_granular::Transfer
 
   template <int dim>
   bool
-  AutomaticAveraging<dim>::suit(const double points_per_cell,
-                                const bool   is_granular)
+  AutomaticAveraging<dim>::suit(const BodyTraits &body)
   {
-    const bool is_for_nodes =
-      is_of_simplices && points_per_cell < few_points_per_cell;
-    use(!is_granular ? "none" : is_for_nodes ? "nodes" : "cells");
-    averaging->suit(points_per_cell, is_granular);
+    // Means around nodes come to rest slowly, if at all: a free surface in
+    // balance leaves its outermost points without stress, and so without
+    // strength.
+    const bool is_for_nodes = is_of_simplices && !body.is_settled_first &&
+                              body.points_per_cell < few_points_per_cell;
+    use(!body.is_granular ? "none" : is_for_nodes ? "nodes" : "cells");
+    averaging->suit(body);
     return true;
   }
 
@@ -176,7 +178,8 @@ namespace mpm_granular::Transfer
   {
     const std::string documentation =
       "for granular laws 'cells', or 'nodes' if simplices that are filled at the "
-      "start hold fewer than 3 points on average; 'none' for elastic laws.";
+      "start hold fewer than 3 points on average and there is no initial "
+      "equilibrium; 'none' for elastic laws.";
     const AveragingRegistry<2>::Entry<AutomaticAveraging<2>>
       automatic_2d("automatic", documentation);
     const AveragingRegistry<3>::Entry<AutomaticAveraging<3>>

@@ -25,9 +25,9 @@ namespace mpm_granular::Transfer
 
   template <int dim>
   bool
-  NodeAveraging<dim>::suit(const double points_per_cell, const bool is_granular)
+  NodeAveraging<dim>::suit(const BodyTraits &body)
   {
-    makes_room = is_granular && points_per_cell < few_points_per_cell;
+    makes_room = body.is_granular && body.points_per_cell < few_points_per_cell;
     return false;
   }
 

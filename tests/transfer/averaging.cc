@@ -199,10 +199,13 @@ choose(const Mesh::MeshSource<dim> &source)
             << (body.mesh.cell_kind() == Mesh::CellKind::hypercube ?
                   " in hypercubes" :
                   "");
-  for (const auto &[points_per_cell, is_granular] :
-       {std::pair<double, bool>{4., true}, {2.9, true}, {2.9, false}})
+  for (const auto &traits :
+       {Transfer::BodyTraits{4., true, false}, // enough points
+        Transfer::BodyTraits{2.9, true, false},
+        Transfer::BodyTraits{2.9, true, true}, // settled first
+        Transfer::BodyTraits{2.9, false, false}})
     {
-      if (averaging.suit(points_per_cell, is_granular))
+      if (averaging.suit(traits))
         averaging.reinit(body.mesh,
                          body.partition,
                          {std::numeric_limits<double>::infinity()});

@@ -361,6 +361,7 @@ namespace mpm_granular::Solver
     Transfer::Averaging<dim>                            &averaging;
     Transfer::VelocityUpdate<dim>                       &velocity_update;
     Time::StepControl                                    step_control;
+    Transfer::SettledPressures<dim>                      settled_pressures;
     Sweep<dim>                                           sweep;
 
     /// What a cell, if it is active, limits the time step by.

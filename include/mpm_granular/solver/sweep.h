@@ -9,6 +9,7 @@
 #include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/point_block.h>
 #include <mpm_granular/transfer/pressure_filter.h>
+#include <mpm_granular/transfer/settled_pressures.h>
 #include <mpm_granular/transfer/velocity_update.h>
 
 #include <vector>
@@ -34,13 +35,13 @@ namespace mpm_granular::Solver
   class Sweep
   {
   public:
-    /// @param laws by material index; like @p averaging and @p velocity_update,
-    ///   must live as long.
+    /// @param laws by material index; like the others, must live as long.
     Sweep(const Mesh::BackgroundMesh<dim>                            &mesh,
           const Mesh::Partition<dim>                                 &partition,
           const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws,
           Transfer::Averaging<dim>                                   &averaging,
-          const Transfer::VelocityUpdate<dim> &velocity_update);
+          const Transfer::VelocityUpdate<dim>   &velocity_update,
+          const Transfer::SettledPressures<dim> &settled_pressures);
 
     /// Sums the points as they are to the cells: before the first step, and
     /// whenever the points have changed outside of a step.
@@ -74,11 +75,19 @@ namespace mpm_granular::Solver
     /// Relaxes the pressures of the points to smooth ones (T29), @p fraction of
     /// the way, and sums their stresses to their cells again. The points must
     /// be where the active nodes of @p fields were gathered.
+    /// @param time since this was last done [s].
     /// @return elastic energy taken out of the points [J].
     double
     smooth_pressures(Points::PointArrays<dim> &points,
                      Grid::NodalFields<dim>   &fields,
-                     const double              fraction);
+                     const double              fraction,
+                     const double              time);
+
+    /// Lets smooth_pressures() leave the present pressures as they are until
+    /// the points have moved on (T29a).
+    void
+    settle_pressures(Points::PointArrays<dim> &points,
+                     Grid::NodalFields<dim>   &fields);
 
   private:
     /// Calls @p action for every block of points.
@@ -113,6 +122,11 @@ namespace mpm_granular::Solver
                  const std::vector<Points::Run> &runs,
                  Action                        &&action);
 
+    /// Makes the filter know the pressures of all points.
+    void
+    sum_pressures(Points::PointArrays<dim> &points,
+                  Grid::NodalFields<dim>   &fields);
+
     /// Updates the stresses of the block, law by law.
     double
     update_stresses(Points::PointArrays<dim> &points, const double time_step);
@@ -122,8 +136,9 @@ namespace mpm_granular::Solver
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws;
     Transfer::Averaging<dim>                                   &averaging;
     const Transfer::VelocityUpdate<dim>                        &velocity_update;
-    Transfer::PointBlock<dim>                                   block;
-    Transfer::PressureFilter<dim>                               filter;
+    const Transfer::SettledPressures<dim> &settled_pressures;
+    Transfer::PointBlock<dim>              block;
+    Transfer::PressureFilter<dim>          filter;
     typename Transfer::PointBlock<dim>::Array
       smooth_pressure; ///< of the points of the block [Pa]
   };

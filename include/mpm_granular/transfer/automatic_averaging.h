@@ -23,7 +23,7 @@ namespace mpm_granular::Transfer
     add_parameters(dealii::ParameterHandler &prm) override;
 
     bool
-    suit(const double points_per_cell, const bool is_granular) override;
+    suit(const BodyTraits &body) override;
 
     std::string
     name_in_use(const std::string &chosen_name) const override;

@@ -20,6 +20,14 @@ namespace mpm_granular::Transfer
   /// little: its neighbours have to count as well.
   constexpr double few_points_per_cell = 3.;
 
+  /// What suits a body depends on it.
+  struct BodyTraits
+  {
+    double points_per_cell;  ///< mean of the cells that are filled
+    bool   is_granular;      ///< whether any of its laws is one of grains
+    bool   is_settled_first; ///< in a stage of initial equilibrium
+  };
+
   /**
    * How the stresses of points become forces of nodes, and the velocities of
    * nodes become velocity gradients of points: from the cell of each point
@@ -40,12 +48,10 @@ namespace mpm_granular::Transfer
      * Makes what depends on the body suit it; called once, before the first
      * step.
      *
-     * @param points_per_cell mean of the filled cells.
-     * @param is_granular whether any of its laws is one of grains.
      * @return whether reinit() has to be called again.
      */
     virtual bool
-    suit(const double /*points_per_cell*/, const bool /*is_granular*/)
+    suit(const BodyTraits & /*body*/)
     {
       return false;
     }

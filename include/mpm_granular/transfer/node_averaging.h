@@ -27,7 +27,7 @@ namespace mpm_granular::Transfer
     add_parameters(dealii::ParameterHandler &prm) override;
 
     bool
-    suit(const double points_per_cell, const bool is_granular) override;
+    suit(const BodyTraits &body) override;
 
     double
     suitable_filter_rate() const override
