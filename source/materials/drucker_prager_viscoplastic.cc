@@ -1,6 +1,6 @@
 #include <mpm_granular/core/vectorize.h>
 #include <mpm_granular/materials/drucker_prager_viscoplastic.h>
-#include <mpm_granular/materials/pressure_relaxation.h>
+#include <mpm_granular/materials/pressure_replacement.h>
 #include <mpm_granular/materials/return_mapping.h>
 #include <mpm_granular/materials/stress_columns.h>
 
@@ -206,24 +206,22 @@ namespace mpm_granular::Materials
 
   template <int dim>
   double
-  DruckerPragerViscoplastic<dim>::relax_pressure(
+  DruckerPragerViscoplastic<dim>::replace_pressure(
     Points::PointArrays<dim> &points,
     const Points::Run         run,
-    const double             *target,
-    const double              fraction) const
+    const double             *target) const
   {
     const auto  &moduli = parameters.moduli();
     const double released =
-      Materials::relax_pressure(points, run, target, fraction, 0., moduli);
+      Materials::replace_pressure(points, run, target, 0., moduli);
 
-    double            *log_ratio  = points.history[log_volume_ratio].data();
-    const double       negligible = negligible_pressure(moduli);
+    double            *log_ratio = points.history[log_volume_ratio].data();
     StressColumns<dim> stress(points, 0);
     MPM_INDEPENDENT_ITERATIONS
     for (unsigned int i = run.begin; i < run.end; ++i)
       {
-        const double p = pressure(stress.load(i));
-        log_ratio[i]   = p > negligible ? -p / moduli.bulk() : log_ratio[i];
+        const double closed = -pressure(stress.load(i)) / moduli.bulk();
+        log_ratio[i]        = log_ratio[i] < 0. ? closed : log_ratio[i];
       }
     return released;
   }

@@ -1,6 +1,6 @@
 #include <mpm_granular/core/vectorize.h>
 #include <mpm_granular/materials/granular_law.h>
-#include <mpm_granular/materials/pressure_relaxation.h>
+#include <mpm_granular/materials/pressure_replacement.h>
 #include <mpm_granular/materials/stress_columns.h>
 #include <mpm_granular/parameters/pattern_text.h>
 
@@ -134,13 +134,12 @@ namespace mpm_granular::Materials
 
   template <int dim>
   double
-  GranularLaw<dim>::relax_pressure(Points::PointArrays<dim> &points,
-                                   const Points::Run         run,
-                                   const double             *target,
-                                   const double              fraction) const
+  GranularLaw<dim>::replace_pressure(Points::PointArrays<dim> &points,
+                                     const Points::Run         run,
+                                     const double             *target) const
   {
-    return Materials::relax_pressure(
-      points, run, target, fraction, apex_tension(), moduli);
+    return Materials::replace_pressure(
+      points, run, target, apex_tension(), moduli);
   }
 
 

@@ -63,16 +63,10 @@ namespace mpm_granular::Solver
   void
   MPMSolver<dim>::smooth_pressures()
   {
-    // Noise grows over some steps, each of which would cost as much as the
-    // filter: half of it at a time.
-    constexpr double part = 0.5;
-    if (scheme.filter_rate * since_filter < part)
+    if (scheme.filter_rate * since_filter < 1.)
       return;
     ledger.filter_loss +=
-      sweep.smooth_pressures(points.arrays(),
-                             fields,
-                             std::min(1., scheme.filter_rate * since_filter),
-                             since_filter);
+      sweep.smooth_pressures(points.arrays(), fields, since_filter);
     if (!averaging.sets_forces())
       fields.gather_forces();
     since_filter = 0.;

@@ -198,7 +198,6 @@ namespace mpm_granular::Solver
   double
   Sweep<dim>::smooth_pressures(Points::PointArrays<dim> &points,
                                Grid::NodalFields<dim>   &fields,
-                               const double              fraction,
                                const double              time)
   {
     sum_pressures(points, fields);
@@ -214,11 +213,10 @@ namespace mpm_granular::Solver
                      const Points::Run range{block.runs[first].begin,
                                              block.runs[last - 1].end};
                      released_energy +=
-                       law.relax_pressure(points,
-                                          range,
-                                          smooth_pressure.data() +
-                                            (range.begin - block.begin),
-                                          fraction);
+                       law.replace_pressure(points,
+                                            range,
+                                            smooth_pressure.data() +
+                                              (range.begin - block.begin));
                    });
       averaging.add_stresses(points, block, fields);
     });

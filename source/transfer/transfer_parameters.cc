@@ -22,8 +22,8 @@ namespace mpm_granular::Transfer
     prm.add_parameter(
       "Pressure filter rate",
       pressure_filter_rate,
-      "Rate at which the pressures of points in contact relax to a smooth "
-      "field, which removes pressure noise (granular laws only). 0: never. "
+      "How often the pressures of points in contact are replaced by smooth "
+      "ones, which removes pressure noise (granular laws only). 0: never. "
       "'automatic': with c/h, wave speed over size of the filled cells, 0.8 "
       "c/h with 'Averaging = cells' (0.5 c/h on hypercubes), 0.2 c/h with "
       "'nodes', 0.3 c/h with 'moving least squares', 0 with 'none'. Units: 1/s.",

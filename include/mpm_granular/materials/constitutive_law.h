@@ -91,18 +91,16 @@ namespace mpm_granular::Materials
     }
 
     /**
-     * Moves the pressures of those points of a run that are in contact (p > 0)
-     * towards given ones, at the same q/p.
+     * Replaces the pressures of those points of a run that are in contact
+     * (p > 0) by given ones, at the same q/p (T29).
      *
      * @param target entry i belongs to point run.begin + i, 0 or more [Pa].
-     * @param fraction of the way, 0..1.
      * @return elastic energy that this took out of the points [J, in 2D J/m].
      */
     virtual double
-    relax_pressure(Points::PointArrays<dim> & /*points*/,
-                   const Points::Run /*run*/,
-                   const double * /*target*/,
-                   const double /*fraction*/) const
+    replace_pressure(Points::PointArrays<dim> & /*points*/,
+                     const Points::Run /*run*/,
+                     const double * /*target*/) const
     {
       return 0.;
     }

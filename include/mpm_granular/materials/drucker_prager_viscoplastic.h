@@ -95,10 +95,9 @@ namespace mpm_granular::Materials
     }
 
     double
-    relax_pressure(Points::PointArrays<dim> &points,
-                   const Points::Run         run,
-                   const double             *target,
-                   const double              fraction) const override;
+    replace_pressure(Points::PointArrays<dim> &points,
+                     const Points::Run         run,
+                     const double             *target) const override;
 
     /// The pressure is that of ln J_s, at the same q/p.
     void

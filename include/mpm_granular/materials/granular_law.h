@@ -83,10 +83,9 @@ namespace mpm_granular::Materials
 
     /// Also where there is cohesion, at the same stress over strength.
     double
-    relax_pressure(Points::PointArrays<dim> &points,
-                   const Points::Run         run,
-                   const double             *target,
-                   const double              fraction) const override;
+    replace_pressure(Points::PointArrays<dim> &points,
+                     const Points::Run         run,
+                     const double             *target) const override;
 
     /// Closes gaps under pressure, at the same stress over strength.
     void

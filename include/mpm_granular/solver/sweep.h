@@ -72,15 +72,14 @@ namespace mpm_granular::Solver
          const double              time_step,
          const double              pic_factor);
 
-    /// Relaxes the pressures of the points to smooth ones (T29), @p fraction of
-    /// the way, and sums their stresses to their cells again. The points must
-    /// be where the active nodes of @p fields were gathered.
+    /// Makes the pressures of the points smooth (T29) and sums their stresses
+    /// to their cells again. The points must be where the active nodes of
+    /// @p fields were gathered.
     /// @param time since this was last done [s].
     /// @return elastic energy taken out of the points [J].
     double
     smooth_pressures(Points::PointArrays<dim> &points,
                      Grid::NodalFields<dim>   &fields,
-                     const double              fraction,
                      const double              time);
 
     /// Lets smooth_pressures() leave the present pressures as they are until

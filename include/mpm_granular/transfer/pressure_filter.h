@@ -18,7 +18,7 @@ namespace mpm_granular::Transfer
    * comes back as it is, so a geostatic state stays untouched.
    *
    * There are more points than nodes, so that some patterns of pressure act on
-   * no node and are never corrected by the motion; relaxing the points to the
+   * no node and are never corrected by the motion; giving the points the
    * smooth pressure removes them.
    *
    * Use: reinit(), add() all runs of points, find_gradients(), evaluate().

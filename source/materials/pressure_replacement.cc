@@ -1,5 +1,5 @@
 #include <mpm_granular/core/vectorize.h>
-#include <mpm_granular/materials/pressure_relaxation.h>
+#include <mpm_granular/materials/pressure_replacement.h>
 #include <mpm_granular/materials/stress_columns.h>
 
 #include <algorithm>
@@ -13,12 +13,11 @@ namespace mpm_granular::Materials
 
   template <int dim>
   double
-  relax_pressure(Points::PointArrays<dim> &points,
-                 const Points::Run         run,
-                 const double             *target,
-                 const double              fraction,
-                 const double              apex,
-                 const ElasticModuli      &moduli)
+  replace_pressure(Points::PointArrays<dim> &points,
+                   const Points::Run         run,
+                   const double             *target,
+                   const double              apex,
+                   const ElasticModuli      &moduli)
   {
     const double negligible = negligible_pressure(moduli);
     const double inverse_2K = 1. / (2. * moduli.bulk());
@@ -45,8 +44,7 @@ namespace mpm_granular::Materials
             const Stress<dim> old      = stress.load(i);
             const double      p        = pressure(old);
             Stress<dim>       s        = deviator(old);
-            const double      part     = p > negligible ? fraction : 0.;
-            const double      new_p    = p + part * (wanted[i] - p);
+            const double      new_p    = p > negligible ? wanted[i] : p;
             const double      q_square = equivalent_stress_square(s);
             const double      most =
               steepest * (new_p + apex) / std::sqrt(q_square + smallest);
@@ -68,13 +66,12 @@ namespace mpm_granular::Materials
     return released;
   }
 
-#define INSTANTIATE(dim)                                     \
-  template double relax_pressure(Points::PointArrays<dim> &, \
-                                 const Points::Run,          \
-                                 const double *,             \
-                                 const double,               \
-                                 const double,               \
-                                 const ElasticModuli &);
+#define INSTANTIATE(dim)                                       \
+  template double replace_pressure(Points::PointArrays<dim> &, \
+                                   const Points::Run,          \
+                                   const double *,             \
+                                   const double,               \
+                                   const ElasticModuli &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -1,5 +1,5 @@
-#ifndef mpm_granular_materials_pressure_relaxation_h
-#define mpm_granular_materials_pressure_relaxation_h
+#ifndef mpm_granular_materials_pressure_replacement_h
+#define mpm_granular_materials_pressure_replacement_h
 
 #include <mpm_granular/materials/elastic_moduli.h>
 #include <mpm_granular/points/point_arrays.h>
@@ -14,22 +14,20 @@ namespace mpm_granular::Materials
   }
 
   /**
-   * Moves the pressures of those points of a run that are in contact towards
-   * given ones, at the same stress over strength.
+   * Replaces the pressures of those points of a run that are in contact by
+   * given ones, at the same stress over strength (T29).
    *
    * @param target entry i belongs to point run.begin + i, 0 or more [Pa].
-   * @param fraction of the way, 0..1.
    * @param apex tension at which the strength ends, 0 or more [Pa].
    * @return elastic energy that this took out of the points [J, in 2D J/m].
    */
   template <int dim>
   double
-  relax_pressure(Points::PointArrays<dim> &points,
-                 const Points::Run         run,
-                 const double             *target,
-                 const double              fraction,
-                 const double              apex,
-                 const ElasticModuli      &moduli);
+  replace_pressure(Points::PointArrays<dim> &points,
+                   const Points::Run         run,
+                   const double             *target,
+                   const double              apex,
+                   const ElasticModuli      &moduli);
 } // namespace mpm_granular::Materials
 
 #endif
