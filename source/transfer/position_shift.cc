@@ -36,6 +36,7 @@ namespace mpm_granular::Transfer
                           const Mesh::Partition<dim>           &partition,
                           const double                          rate,
                           const Filling<dim>                   &filling,
+                          const std::vector<double>            &cell_sizes,
                           const Grid::VelocityConstraints<dim> &constraints,
                           const double                          time_step,
                           Grid::NodalFields<dim>               &fields) const
@@ -59,19 +60,24 @@ namespace mpm_granular::Transfer
         const unsigned int index = fields.active_cells[c];
         if (!partition.is_owned(index))
           continue;
+        const Cell    &cell  = cells[index];
         const auto    &nodes = active.nodes[c];
         Tensor<1, dim> slope;
-        for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-          slope += excess[nodes[k]] * cells[index].shape_gradient(k);
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            const double change = excess[nodes[k + 1]] - excess[nodes[0]];
+            for (unsigned int d = 0; d < dim; ++d)
+              slope[d] += change * cell.gradient[k][d];
+          }
 
         const double                volume  = mesh.cell_volume(index);
-        const double                size    = mesh.size_of_cell(volume);
+        const double                size    = cell_sizes[index];
         const double                largest = furthest * size / time_step;
         std::array<double, dim + 1> part;
         for (unsigned int d = 0; d < dim; ++d)
           part[d] =
-            volume *
-            std::clamp(-rate * size * size * slope[d], -largest, largest);
+            volume * std::max(std::min(-rate * size * size * slope[d], largest),
+                              -largest);
         part[dim] = volume;
         for (const unsigned int node : nodes)
           fields.hanging.add_at(shifts, node, part);
