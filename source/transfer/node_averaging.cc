@@ -6,6 +6,7 @@
 #include <mpm_granular/transfer/sum_by_cell.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace mpm_granular::Transfer
 {
@@ -69,7 +70,8 @@ namespace mpm_granular::Transfer
     for (unsigned int cell = 0; cell < mesh->n_cells(); ++cell)
       cells_of_node[next[lowest_node(cell)]++] = {
         cell, mesh->template cells<Cell>()[cell].node};
-    is_known.assign(mesh->n_nodes(), 0);
+    is_known.assign(mesh->n_nodes(), false);
+    is_empty.assign(mesh->n_cells(), true);
   }
 
   template <int dim>
@@ -102,15 +104,18 @@ namespace mpm_granular::Transfer
                                    const PointBlock<dim>          &block,
                                    Grid::NodalFields<dim>         &fields)
   {
-    using StressParts = std::array<StressLanes, n_nodes>;
-    parts.resize(fields.active_cells.size() * n_parts);
     sum_by_cell<StressParts>(
       block,
       [&](const unsigned int p, StressParts &sums) {
+        const auto stress_of = [&](const unsigned int s) {
+          return s < n_stress<dim> ? points.stress[s][p] : 0.;
+        };
         StressLanes stress;
-        stress.fill(0.);
-        for (unsigned int s = 0; s < n_stress<dim>; ++s)
-          stress[s / Lanes::n].data[s % Lanes::n] = points.stress[s][p];
+        for (unsigned int l = 0, s = 0; l < stress.size(); ++l, s += Lanes::n)
+          stress[l] = Lanes(stress_of(s),
+                            stress_of(s + 1),
+                            stress_of(s + 2),
+                            stress_of(s + 3));
         for (unsigned int k = 0; k < n_nodes; ++k)
           add_scaled(sums[k],
                      points.volume[p] * block.shape_values[k][p - block.begin],
@@ -119,13 +124,15 @@ namespace mpm_granular::Transfer
       [&](const unsigned int cell, const StressParts &sums) {
         if (cell == Mesh::no_cell)
           return;
-        double *total = parts.data() + fields.slot_of_cell(cell) * n_parts;
-        for (const StressLanes &of_node : sums)
-          for (const Lanes &part : of_node)
-            {
-              store(load<Lanes>(total) + part, total);
-              total += Lanes::n;
-            }
+        // What is new is not read right after it was written.
+        const std::size_t place  = fields.slot_of_cell(cell);
+        const bool        is_new = place >= parts.size();
+        if (is_new)
+          parts.resize(place + 1);
+        StressParts &total = parts[place];
+        for (unsigned int k = 0; k < n_nodes; ++k)
+          for (unsigned int l = 0; l < total[k].size(); ++l)
+            total[k][l] = is_new ? sums[k][l] : total[k][l] + sums[k][l];
       });
   }
 
@@ -147,8 +154,11 @@ namespace mpm_granular::Transfer
         for (const unsigned int node : active.nodes[c])
           add_scaled(around, 1., stresses[node]);
         StressLanes sum{};
-        add_scaled(sum, (1. - averaged_part) * own_factors[c], own_stresses[c]);
         add_scaled(sum, averaged_part * cell_weights[c], around);
+        if (c < n_cells_with_points)
+          add_scaled(sum,
+                     (1. - averaged_part) * own_factors[c],
+                     own_stresses[c]);
         for (unsigned int s = 0; s < n_stress<dim>; ++s)
           total[s] = component(sum, s);
       }
@@ -159,16 +169,18 @@ namespace mpm_granular::Transfer
   void
   NodeAveraging<dim>::activate_enclosed(Grid::NodalFields<dim> &fields)
   {
-    const auto mark = [&](const std::uint8_t value) {
+    const auto mark = [&](const bool value) {
       for (const unsigned int node : fields.active_nodes)
         is_known[node] = value;
       for (const auto &line : mesh->hanging_nodes().get_lines())
         is_known[line.index] = value && fields.is_known_node(line.index);
+      for (unsigned int c = 0; c < n_cells_with_points; ++c)
+        is_empty[fields.active_cells[c]] = !value;
     };
-    mark(1);
+    mark(true);
 
-    // Most cells around are active or have nodes that are not, in an order that
-    // cannot be predicted: no branch depends on which.
+    // Whether a cell is one of them cannot be predicted: no branch depends on
+    // it.
     std::vector<unsigned int> found;
     for (const unsigned int node : fields.active_nodes)
       {
@@ -179,7 +191,7 @@ namespace mpm_granular::Transfer
         for (unsigned int i = begin; i < end; ++i)
           {
             const auto  &cell   = cells_of_node[i];
-            std::uint8_t is_new = !fields.is_active_cell(cell.index);
+            std::uint8_t is_new = is_empty[cell.index];
             for (const unsigned int vertex : cell.node)
               is_new &= is_known[vertex];
             found[n_found] = cell.index;
@@ -189,7 +201,7 @@ namespace mpm_granular::Transfer
           if (partition->is_owned(found[i]))
             fields.activate_late(found[i]);
       }
-    mark(0);
+    mark(false);
   }
 
   template <int dim>
@@ -197,11 +209,13 @@ namespace mpm_granular::Transfer
   NodeAveraging<dim>::find_weights(Grid::NodalFields<dim> &fields)
   {
     filling.sum(fields);
+    n_cells_with_points = fields.active_cells.size();
     activate_enclosed(fields);
 
     // Cells in surroundings that are not full count less, down to hardly.
-    constexpr double least  = 1e-12;
-    const auto      &active = fields.template cells<Cell>();
+    constexpr double least        = 1e-12;
+    constexpr double part_of_full = 1. / Filling<dim>::full;
+    const auto      &active       = fields.template cells<Cell>();
     cell_weights.resize(fields.active_cells.size());
     own_factors.resize(fields.active_cells.size());
     node_weights.assign(fields.n_active_nodes(), 0.);
@@ -213,11 +227,11 @@ namespace mpm_granular::Transfer
         const unsigned int cell   = fields.active_cells[c];
         const double       volume = filling.of_cell(c);
         const double       whole  = mesh->cell_volume(cell);
-        own_factors[c] =
-          fraction > Filling<dim>::full && volume > 0. ? whole / volume : 1.;
+        const bool is_full = (fraction > Filling<dim>::full) & (volume > 0.);
+        own_factors[c]     = whole / (is_full ? volume : whole);
         cell_weights[c] =
           partition->is_owned(cell) ?
-            whole * std::clamp(fraction / Filling<dim>::full, least, 1.) :
+            whole * std::clamp(fraction * part_of_full, least, 1.) :
             0.;
         for (const unsigned int node : active.nodes[c])
           fields.hanging.add_at(node_weights, node, cell_weights[c]);
@@ -230,26 +244,18 @@ namespace mpm_granular::Transfer
   NodeAveraging<dim>::sum_stresses(Grid::NodalFields<dim> &fields)
   {
     const auto &active = fields.template cells<Cell>();
-    parts.resize(active.nodes.size() * n_parts);
-    fields.shared_cells.sum(parts.data(), n_parts);
+    parts.resize(n_cells_with_points);
+    fields.shared_cells.sum(reinterpret_cast<double *>(parts.data()), n_parts);
     stresses.assign(fields.n_active_nodes(), {});
-    own_stresses.assign(active.nodes.size(), {});
-    const double *part = parts.data();
-    for (unsigned int c = 0; c < active.nodes.size(); ++c)
+    own_stresses.resize(parts.size());
+    for (unsigned int c = 0; c < parts.size(); ++c)
       {
-        const bool is_owned = partition->is_owned(fields.active_cells[c]);
-        for (const unsigned int node : active.nodes[c])
-          {
-            StressLanes of_node;
-            for (Lanes &lanes : of_node)
-              {
-                lanes = load<Lanes>(part);
-                part += Lanes::n;
-              }
-            add_scaled(own_stresses[c], 1., of_node);
-            if (is_owned)
-              fields.hanging.add_at(stresses, node, of_node);
-          }
+        StressLanes &own = own_stresses[c] = parts[c][0];
+        for (unsigned int k = 1; k < n_nodes; ++k)
+          add_scaled(own, 1., parts[c][k]);
+        if (partition->is_owned(fields.active_cells[c]))
+          for (unsigned int k = 0; k < n_nodes; ++k)
+            fields.hanging.add_at(stresses, active.nodes[c][k], parts[c][k]);
       }
     fields.shared.sum(stresses);
 
@@ -346,7 +352,7 @@ namespace mpm_granular::Transfer
     // What forces take is T_e : L_e, summed over the cells; with (T42) and
     // (T43) only what the factors c change is left of the difference.
     double power = 0.;
-    for (unsigned int c = 0; c < cell_weights.size(); ++c)
+    for (unsigned int c = 0; c < n_cells_with_points; ++c)
       if (cell_weights[c] != 0. && own_factors[c] != 1.)
         power +=
           (1. - averaged_part) * (own_factors[c] - 1.) *
@@ -368,7 +374,17 @@ namespace mpm_granular::Transfer
   NodeAveraging<dim>::serialize(Core::Archive &archive)
   {
     filling.serialize(archive);
-    archive.distributed("averaging/stresses", parts, n_parts);
+    std::vector<double> numbers(parts.size() * n_parts);
+    if (!parts.empty())
+      std::memcpy(numbers.data(),
+                  parts.data(),
+                  numbers.size() * sizeof(double));
+    archive.distributed("averaging/stresses", numbers, n_parts);
+    parts.resize(numbers.size() / n_parts);
+    if (!parts.empty())
+      std::memcpy(parts.data(),
+                  numbers.data(),
+                  numbers.size() * sizeof(double));
   }
 
   template class NodeAveraging<2>;

@@ -124,24 +124,33 @@ namespace mpm_granular::Transfer
     std::vector<unsigned int> first_cell;
     std::vector<CellOfNode>   cells_of_node;
 
-    /// By node of the mesh, whether it is active; used as all zeros.
+    /// By node and cell of the mesh, for activate_enclosed(), which leaves them
+    /// as they were: all false, all true.
     std::vector<std::uint8_t> is_known;
+    std::vector<std::uint8_t> is_empty;
 
     /// Stress components in the order of n_stress; lanes behind them are zero.
     using StressLanes =
       std::array<Lanes, (n_stress<dim> + Lanes::n - 1) / Lanes::n>;
 
     static constexpr unsigned int n_nodes = Cell::n_nodes;
-    static constexpr unsigned int n_parts =
-      n_nodes * sizeof(StressLanes) / sizeof(double);
 
-    /// sum_p V_p sigma_p N_k by cell slot, then vertex, then component.
-    std::vector<double> parts;
+    /// sum_p V_p sigma_p N_k by vertex.
+    using StressParts = std::array<StressLanes, n_nodes>;
+    static constexpr unsigned int n_parts =
+      sizeof(StressParts) / sizeof(double);
+
+    /// Those that other ranks have points in count, too. In the slots behind
+    /// them are enclosed cells without points.
+    unsigned int n_cells_with_points = 0;
+
+    // By slot of the cell, if it has points.
+    std::vector<StressParts> parts;
+    std::vector<StressLanes> own_stresses; ///< sum_p V_p sigma_p
 
     // By slot of the cell.
     std::vector<double>                cell_weights; ///< Omega_e; 0 if not own
     std::vector<double>                own_factors;  ///< c_e
-    std::vector<StressLanes>           own_stresses; ///< sum_p V_p sigma_p
     std::vector<VelocityGradient<dim>> cell_gradients; ///< L_e of own cells
 
     // By slot of the node.
