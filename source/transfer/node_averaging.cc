@@ -379,7 +379,7 @@ namespace mpm_granular::Transfer
       std::memcpy(numbers.data(),
                   parts.data(),
                   numbers.size() * sizeof(double));
-    archive.distributed("averaging/stresses", numbers, n_parts);
+    archive.distributed("averaging/stress_parts", numbers, n_parts);
     parts.resize(numbers.size() / n_parts);
     if (!parts.empty())
       std::memcpy(parts.data(),
