@@ -4,7 +4,6 @@
 #include <mpm_granular/transfer/point_groups.h>
 
 #include <algorithm>
-#include <type_traits>
 
 namespace mpm_granular::Transfer
 {
@@ -203,26 +202,6 @@ namespace mpm_granular::Transfer
           const Grid::NodeMotion<dim> *node[Cell::n_nodes];
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
             node[k] = &fields.motion[fields.slot_of(cell.node[k])];
-          if constexpr (std::is_same_v<Cell, Mesh::SimplexCell<dim>>)
-            if (run.end - run.begin == 1)
-              {
-                // Its own sums cost less than to set the fields up.
-                const unsigned int p  = run.begin;
-                const auto     values = cell.shape_values(points.location(p));
-                Tensor<1, dim> moving, change;
-                for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-                  {
-                    moving += values[k] * node[k]->velocity;
-                    change += values[k] * node[k]->change;
-                  }
-                const unsigned int i = p - block.begin;
-                for (unsigned int d = 0; d < dim; ++d)
-                  {
-                    new_velocity[d][i] = kept * velocity[d][p] + change[d];
-                    new_position[d][i] = position[d][p] + time_step * moving[d];
-                  }
-                continue;
-              }
           const Field moving(
             cell, [&](const unsigned int k) -> auto & {
               return node[k]->velocity;
