@@ -235,8 +235,15 @@ namespace mpm_granular::Grid
   NodalFields<dim>::find_slots_of_vertices(const unsigned int slot)
   {
     mesh.visit([&](const auto &cells) {
-      using Cell       = typename std::decay_t<decltype(cells)>::value_type;
-      const Cell &cell = cells[active_cells[slot]];
+      using Cell        = typename std::decay_t<decltype(cells)>::value_type;
+      const Cell &cell  = cells[active_cells[slot]];
+      auto       &slots = this->template cells<Cell>().nodes[slot];
+      if (!mesh.has_hanging_vertex(active_cells[slot]))
+        {
+          for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+            slots[k] = node_slot[cell.node[k]];
+          return;
+        }
       for (unsigned int k = 0; k < Cell::n_nodes; ++k)
         {
           const unsigned int node = cell.node[k];
@@ -253,7 +260,7 @@ namespace mpm_granular::Grid
               node_slot[node] = hanging.add(std::move(of_slots));
               hanging_nodes.push_back(node);
             }
-          this->template cells<Cell>().nodes[slot][k] = node_slot[node];
+          slots[k] = node_slot[node];
         }
     });
   }

@@ -125,11 +125,15 @@ namespace mpm_granular::Materials
                           &velocity_gradients[batch.first_run], batch.n_pieces),
                         time_step);
         check_volumes(points, batch, of_runs);
-        of_points.spread(of_runs,
-                         ArrayView<const Points::Run>(batch.pieces.data(),
-                                                      batch.n_pieces));
-        multiply_volumes(points, batch.range, of_points);
-        released_energy += law.update(points, batch.range, of_points);
+        const bool are_points =
+          batch.n_pieces == batch.range.end - batch.range.begin;
+        if (!are_points)
+          of_points.spread(of_runs,
+                           ArrayView<const Points::Run>(batch.pieces.data(),
+                                                        batch.n_pieces));
+        const auto &increments = are_points ? of_runs : of_points;
+        multiply_volumes(points, batch.range, increments);
+        released_energy += law.update(points, batch.range, increments);
       }
     return released_energy;
   }

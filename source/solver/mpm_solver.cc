@@ -104,6 +104,7 @@ namespace mpm_granular::Solver
                                     partition,
                                     scheme.shift_rate,
                                     *averaging.filling_of_nodes(),
+                                    cell_sizes,
                                     momentum.holding(step),
                                     step.time_step,
                                     fields); // (T69)
@@ -338,6 +339,7 @@ namespace mpm_granular::Solver
     momentum.reinit();
     averaging.reinit(mesh, partition, largest_specific_volumes());
     find_cell_limits();
+    find_cell_sizes();
   }
 
   template <int dim>

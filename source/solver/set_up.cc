@@ -111,6 +111,7 @@ namespace mpm_granular::Solver
     if (parameters.equilibrium.is_wanted)
       prepare_settling();
     find_cell_limits();
+    find_cell_sizes();
     if (partition.n_ranks > 1)
       redistribute();
     else
@@ -304,6 +305,17 @@ namespace mpm_granular::Solver
           cell_limits[index] = {step, mesh.altitude(index)};
         }
     });
+  }
+
+  template <int dim>
+  void
+  MPMSolver<dim>::find_cell_sizes()
+  {
+    if (scheme.shift_rate == 0.)
+      return;
+    cell_sizes.resize(mesh.n_cells());
+    for (unsigned int cell = 0; cell < cell_sizes.size(); ++cell)
+      cell_sizes[cell] = mesh.size_of_cell(mesh.cell_volume(cell));
   }
 
   template class MPMSolver<2>;

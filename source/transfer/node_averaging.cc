@@ -6,10 +6,22 @@
 #include <mpm_granular/transfer/sum_by_cell.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace mpm_granular::Transfer
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// Component @p s of a stress in lanes.
+    template <std::size_t n>
+    double
+    component(const std::array<Lanes, n> &stress, const unsigned int s)
+    {
+      return stress[s / Lanes::n].data[s % Lanes::n];
+    }
+  } // namespace
 
   template <int dim>
   void
@@ -56,7 +68,10 @@ namespace mpm_granular::Transfer
     auto next = first_cell;
     cells_of_node.resize(mesh->n_cells());
     for (unsigned int cell = 0; cell < mesh->n_cells(); ++cell)
-      cells_of_node[next[lowest_node(cell)]++] = cell;
+      cells_of_node[next[lowest_node(cell)]++] = {
+        cell, mesh->template cells<Cell>()[cell].node};
+    is_known.assign(mesh->n_nodes(), false);
+    is_empty.assign(mesh->n_cells(), true);
   }
 
   template <int dim>
@@ -89,25 +104,35 @@ namespace mpm_granular::Transfer
                                    const PointBlock<dim>          &block,
                                    Grid::NodalFields<dim>         &fields)
   {
-    using StressParts = std::array<std::array<double, n_nodes>, n_stress<dim>>;
-    parts.resize(fields.active_cells.size() * n_parts);
     sum_by_cell<StressParts>(
       block,
       [&](const unsigned int p, StressParts &sums) {
-        double share[n_nodes];
+        const auto stress_of = [&](const unsigned int s) {
+          return s < n_stress<dim> ? points.stress[s][p] : 0.;
+        };
+        StressLanes stress;
+        for (unsigned int l = 0, s = 0; l < stress.size(); ++l, s += Lanes::n)
+          stress[l] = Lanes(stress_of(s),
+                            stress_of(s + 1),
+                            stress_of(s + 2),
+                            stress_of(s + 3));
         for (unsigned int k = 0; k < n_nodes; ++k)
-          share[k] = points.volume[p] * block.shape_values[k][p - block.begin];
-        for (unsigned int s = 0; s < n_stress<dim>; ++s)
-          for (unsigned int k = 0; k < n_nodes; ++k)
-            sums[s][k] += share[k] * points.stress[s][p];
+          add_scaled(sums[k],
+                     points.volume[p] * block.shape_values[k][p - block.begin],
+                     stress);
       },
       [&](const unsigned int cell, const StressParts &sums) {
         if (cell == Mesh::no_cell)
           return;
-        double *total = parts.data() + fields.slot_of_cell(cell) * n_parts;
-        for (unsigned int s = 0; s < n_stress<dim>; ++s)
-          for (unsigned int k = 0; k < n_nodes; ++k)
-            total[s * n_nodes + k] += sums[s][k];
+        // What is new is not read right after it was written.
+        const std::size_t place  = fields.slot_of_cell(cell);
+        const bool        is_new = place >= parts.size();
+        if (is_new)
+          parts.resize(place + 1);
+        StressParts &total = parts[place];
+        for (unsigned int k = 0; k < n_nodes; ++k)
+          for (unsigned int l = 0; l < total[k].size(); ++l)
+            total[k][l] = is_new ? sums[k][l] : total[k][l] + sums[k][l];
       });
   }
 
@@ -116,8 +141,7 @@ namespace mpm_granular::Transfer
   NodeAveraging<dim>::find_forces(Grid::NodalFields<dim> &fields)
   {
     sum_stresses(fields);
-    const auto is_full = filling.full_nodes(fields);
-    auto      &active  = fields.template cells<Cell>();
+    auto &active = fields.template cells<Cell>();
     for (unsigned int c = 0; c < cell_weights.size(); ++c)
       {
         Stress<dim> &total = active.sums[c].internal.stress;
@@ -126,51 +150,58 @@ namespace mpm_granular::Transfer
             total = {};
             continue;
           }
-        const auto &nodes    = active.nodes[c];
-        bool        all_full = true;
-        for (const unsigned int node : nodes)
-          all_full &= is_full[node] != 0;
-        const double                     volume = filling.of_cell(c);
-        std::array<Stress<dim>, n_nodes> at_nodes;
-        for (unsigned int k = 0; k < n_nodes; ++k)
-          at_nodes[k] = fields.hanging.value_at(stresses, nodes[k]);
-        const double own_factor =
-          (1. - averaged_part) *
-          (all_full && volume > 0. ?
-             mesh->cell_volume(fields.active_cells[c]) / volume :
-             1.);
+        StressLanes around{};
+        for (const unsigned int node : active.nodes[c])
+          add_scaled(around, 1., stresses[node]);
+        StressLanes sum{};
+        add_scaled(sum, averaged_part * cell_weights[c], around);
+        if (c < n_cells_with_points)
+          add_scaled(sum,
+                     (1. - averaged_part) * own_factors[c],
+                     own_stresses[c]);
         for (unsigned int s = 0; s < n_stress<dim>; ++s)
-          {
-            double own = 0., around = 0.;
-            for (unsigned int k = 0; k < n_nodes; ++k)
-              {
-                own += parts[c * n_parts + s * n_nodes + k];
-                around += at_nodes[k][s];
-              }
-            total[s] =
-              own_factor * own + averaged_part * cell_weights[c] * around;
-          }
+          total[s] = component(sum, s);
       }
     fields.gather_forces();
   }
 
   template <int dim>
   void
-  NodeAveraging<dim>::activate_enclosed(Grid::NodalFields<dim> &fields) const
+  NodeAveraging<dim>::activate_enclosed(Grid::NodalFields<dim> &fields)
   {
-    const auto is_known = [&](const unsigned int node) {
-      return fields.is_known_node(node);
+    const auto mark = [&](const bool value) {
+      for (const unsigned int node : fields.active_nodes)
+        is_known[node] = value;
+      for (const auto &line : mesh->hanging_nodes().get_lines())
+        is_known[line.index] = value && fields.is_known_node(line.index);
+      for (unsigned int c = 0; c < n_cells_with_points; ++c)
+        is_empty[fields.active_cells[c]] = !value;
     };
+    mark(true);
+
+    // Whether a cell is one of them cannot be predicted: no branch depends on
+    // it.
+    std::vector<unsigned int> found;
     for (const unsigned int node : fields.active_nodes)
-      for (unsigned int i = first_cell[node]; i < first_cell[node + 1]; ++i)
-        {
-          const unsigned int cell = cells_of_node[i];
-          if (fields.is_active_cell(cell) || !partition->is_owned(cell))
-            continue;
-          const auto nodes = mesh->nodes(cell);
-          if (std::all_of(nodes.begin(), nodes.end(), is_known))
-            fields.activate_late(cell);
-        }
+      {
+        const unsigned int begin = first_cell[node], end = first_cell[node + 1];
+        unsigned int       n_found = 0;
+        if (found.size() < end - begin)
+          found.resize(end - begin);
+        for (unsigned int i = begin; i < end; ++i)
+          {
+            const auto  &cell   = cells_of_node[i];
+            std::uint8_t is_new = is_empty[cell.index];
+            for (const unsigned int vertex : cell.node)
+              is_new &= is_known[vertex];
+            found[n_found] = cell.index;
+            n_found += is_new;
+          }
+        for (unsigned int i = 0; i < n_found; ++i)
+          if (partition->is_owned(found[i]))
+            fields.activate_late(found[i]);
+      }
+    mark(false);
   }
 
   template <int dim>
@@ -178,24 +209,29 @@ namespace mpm_granular::Transfer
   NodeAveraging<dim>::find_weights(Grid::NodalFields<dim> &fields)
   {
     filling.sum(fields);
+    n_cells_with_points = fields.active_cells.size();
     activate_enclosed(fields);
 
     // Cells in surroundings that are not full count less, down to hardly.
-    constexpr double least  = 1e-12;
-    const auto      &active = fields.template cells<Cell>();
+    constexpr double least        = 1e-12;
+    constexpr double part_of_full = 1. / Filling<dim>::full;
+    const auto      &active       = fields.template cells<Cell>();
     cell_weights.resize(fields.active_cells.size());
+    own_factors.resize(fields.active_cells.size());
     node_weights.assign(fields.n_active_nodes(), 0.);
     for (unsigned int c = 0; c < cell_weights.size(); ++c)
       {
-        double fraction = 1.;
+        double fraction = filling.fraction(fields, active.nodes[c][0]);
         for (const unsigned int node : active.nodes[c])
-          fraction =
-            std::min(fraction,
-                     filling.fraction(fields, node) / Filling<dim>::full);
-        const unsigned int cell = fields.active_cells[c];
+          fraction = std::min(fraction, filling.fraction(fields, node));
+        const unsigned int cell   = fields.active_cells[c];
+        const double       volume = filling.of_cell(c);
+        const double       whole  = mesh->cell_volume(cell);
+        const bool is_full = (fraction > Filling<dim>::full) & (volume > 0.);
+        own_factors[c]     = whole / (is_full ? volume : whole);
         cell_weights[c] =
           partition->is_owned(cell) ?
-            mesh->cell_volume(cell) * std::max(fraction, least) :
+            whole * std::clamp(fraction * part_of_full, least, 1.) :
             0.;
         for (const unsigned int node : active.nodes[c])
           fields.hanging.add_at(node_weights, node, cell_weights[c]);
@@ -208,25 +244,26 @@ namespace mpm_granular::Transfer
   NodeAveraging<dim>::sum_stresses(Grid::NodalFields<dim> &fields)
   {
     const auto &active = fields.template cells<Cell>();
-    parts.resize(active.nodes.size() * n_parts);
-    fields.shared_cells.sum(parts.data(), n_parts);
+    parts.resize(n_cells_with_points);
+    fields.shared_cells.sum(reinterpret_cast<double *>(parts.data()), n_parts);
     stresses.assign(fields.n_active_nodes(), {});
-    for (unsigned int c = 0; c < active.nodes.size(); ++c)
-      if (partition->is_owned(fields.active_cells[c]))
-        for (unsigned int k = 0; k < n_nodes; ++k)
-          {
-            Stress<dim> part;
-            for (unsigned int s = 0; s < n_stress<dim>; ++s)
-              part[s] = parts[c * n_parts + s * n_nodes + k];
-            fields.hanging.add_at(stresses, active.nodes[c][k], part);
-          }
+    own_stresses.resize(parts.size());
+    for (unsigned int c = 0; c < parts.size(); ++c)
+      {
+        StressLanes &own = own_stresses[c] = parts[c][0];
+        for (unsigned int k = 1; k < n_nodes; ++k)
+          add_scaled(own, 1., parts[c][k]);
+        if (partition->is_owned(fields.active_cells[c]))
+          for (unsigned int k = 0; k < n_nodes; ++k)
+            fields.hanging.add_at(stresses, active.nodes[c][k], parts[c][k]);
+      }
     fields.shared.sum(stresses);
 
     // Where the surroundings are full the stress acts on their whole volume;
     // where they are about empty, on that of the points.
     constexpr double half_full = Filling<dim>::full - 0.2;
-    stress_factors.resize(stresses.size());
-    for (unsigned int i = 0; i < stresses.size(); ++i)
+    stress_factors.resize(node_weights.size());
+    for (unsigned int i = 0; i < node_weights.size(); ++i)
       {
         const double theta = filling.fraction(fields, i);
         const double part =
@@ -234,9 +271,10 @@ namespace mpm_granular::Transfer
                      0.,
                      1.);
         stress_factors[i] = (1. + part * (1. / theta - 1.)) / node_weights[i];
-        for (double &component : stresses[i])
-          component *= stress_factors[i];
+        for (Lanes &lanes : stresses[i])
+          lanes = lanes * stress_factors[i];
       }
+    fields.hanging.extend(stresses);
   }
 
   template <int dim>
@@ -246,22 +284,26 @@ namespace mpm_granular::Transfer
     const auto &cells  = mesh->template cells<Cell>();
     const auto &active = fields.template cells<Cell>();
     gradients.assign(fields.n_active_nodes(), {});
+    cell_gradients.resize(cell_weights.size());
     for (unsigned int c = 0; c < cell_weights.size(); ++c)
       {
         if (cell_weights[c] == 0.)
           continue;
-        const Cell &cell  = cells[fields.active_cells[c]];
         const auto &nodes = active.nodes[c];
-        auto        part  = straining_gradient(cell, nodes, fields);
-        for (double &component : part)
-          component *= cell_weights[c];
+        cell_gradients[c] =
+          straining_gradient(cells[fields.active_cells[c]], nodes, fields);
+        VelocityGradient<dim> part{};
+        add_scaled(part, cell_weights[c], cell_gradients[c]);
         for (const unsigned int node : nodes)
           fields.hanging.add_at(gradients, node, part);
       }
     fields.shared.sum(gradients);
     for (unsigned int node = 0; node < gradients.size(); ++node)
-      for (double &component : gradients[node])
-        component /= node_weights[node];
+      {
+        const double factor = 1. / node_weights[node];
+        for (Lanes &lanes : gradients[node])
+          lanes = lanes * factor;
+      }
     fields.hanging.extend(gradients);
   }
 
@@ -272,52 +314,33 @@ namespace mpm_granular::Transfer
                                PointBlock<dim>                &block) const
   {
     const auto &cells = mesh->template cells<Cell>();
-    block.gradients.clear();
-    block.strained.clear();
+    block.gradients.resize(block.end - block.begin);
+    block.strained.resize(block.end - block.begin);
     for (const auto &run : block.runs)
       {
         const Cell                       &cell = cells[points.cell[run.begin]];
         std::array<unsigned int, n_nodes> nodes;
         for (unsigned int k = 0; k < n_nodes; ++k)
           nodes[k] = fields.slot_of(cell.node[k]);
-
-        // L(x) = value + slope_d (x - x_0)_d
-        std::array<double, dim * dim>                  value{};
-        std::array<std::array<double, dim * dim>, dim> slope{};
-        const auto &first_velocity = fields.motion[nodes[0]].straining;
-        const auto &first          = gradients[nodes[0]];
-        for (unsigned int i = 0; i < dim * dim; ++i)
-          value[i] = averaged_part * first[i];
-        for (unsigned int k = 0; k < dim; ++k)
-          {
-            const auto &velocity = fields.motion[nodes[k + 1]].straining;
-            const auto &other    = gradients[nodes[k + 1]];
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int j = 0; j < dim; ++j)
-                value[i * dim + j] += (1. - averaged_part) *
-                                      (velocity[i] - first_velocity[i]) *
-                                      cell.gradient[k][j];
-            for (unsigned int d = 0; d < dim; ++d)
-              for (unsigned int i = 0; i < dim * dim; ++i)
-                slope[d][i] +=
-                  averaged_part * (other[i] - first[i]) * cell.gradient[k][d];
-          }
+        VelocityGradient<dim> own{};
+        add_scaled(own,
+                   1. - averaged_part,
+                   straining_gradient(cell, nodes, fields));
 
         for (unsigned int p = run.begin; p < run.end; ++p)
           {
-            std::array<double, dim *dim> at_point = value;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                const double offset = points.position[d][p] - cell.origin[d];
-                for (unsigned int i = 0; i < dim * dim; ++i)
-                  at_point[i] += slope[d][i] * offset;
-              }
-            Tensor<2, dim> gradient;
+            const auto shape_values = cell.shape_values(points.location(p));
+            VelocityGradient<dim> at_point = own;
+            for (unsigned int k = 0; k < n_nodes; ++k)
+              add_scaled(at_point,
+                         averaged_part * shape_values[k],
+                         gradients[nodes[k]]);
+
+            Tensor<2, dim> &gradient = block.gradients[p - block.begin];
             for (unsigned int i = 0; i < dim; ++i)
               for (unsigned int j = 0; j < dim; ++j)
-                gradient[i][j] = at_point[i * dim + j];
-            block.gradients.push_back(gradient);
-            block.strained.push_back({p, p + 1});
+                gradient[i][j] = derivative<dim>(at_point, i, j);
+            block.strained[p - block.begin] = {p, p + 1};
           }
       }
   }
@@ -326,28 +349,23 @@ namespace mpm_granular::Transfer
   double
   NodeAveraging<dim>::lost_power(const Grid::NodalFields<dim> &fields) const
   {
-    const auto &cells  = mesh->template cells<Cell>();
-    const auto &active = fields.template cells<Cell>();
-    double      power  = 0.;
-    for (unsigned int c = 0; c < cell_weights.size(); ++c)
-      {
-        if (cell_weights[c] == 0.)
-          continue;
-        Stress<dim> stress = active.sums[c].internal.stress;
-        for (unsigned int s = 0; s < n_stress<dim>; ++s)
-          for (unsigned int k = 0; k < n_nodes; ++k)
-            stress[s] -=
-              (1. - averaged_part) * parts[c * n_parts + s * n_nodes + k];
+    // What forces take is T_e : L_e, summed over the cells; with (T42) and
+    // (T43) only what the factors c change is left of the difference.
+    double power = 0.;
+    for (unsigned int c = 0; c < n_cells_with_points; ++c)
+      if (cell_weights[c] != 0. && own_factors[c] != 1.)
         power +=
-          stress_power<dim>(stress,
-                            straining_gradient(cells[fields.active_cells[c]],
-                                               active.nodes[c],
-                                               fields));
-      }
-    for (unsigned int i = 0; i < stresses.size(); ++i)
+          (1. - averaged_part) * (own_factors[c] - 1.) *
+          stress_power<dim>(
+            [&](const unsigned int s) { return component(own_stresses[c], s); },
+            cell_gradients[c]);
+    for (unsigned int i = 0; i < node_weights.size(); ++i)
       if (fields.shared.counts(i))
-        power -= averaged_part / stress_factors[i] *
-                 stress_power<dim>(stresses[i], gradients[i]);
+        power +=
+          averaged_part * (node_weights[i] - 1. / stress_factors[i]) *
+          stress_power<dim>(
+            [&](const unsigned int s) { return component(stresses[i], s); },
+            gradients[i]);
     return power;
   }
 
@@ -356,7 +374,17 @@ namespace mpm_granular::Transfer
   NodeAveraging<dim>::serialize(Core::Archive &archive)
   {
     filling.serialize(archive);
-    archive.distributed("averaging/stresses", parts, n_parts);
+    std::vector<double> numbers(parts.size() * n_parts);
+    if (!parts.empty())
+      std::memcpy(numbers.data(),
+                  parts.data(),
+                  numbers.size() * sizeof(double));
+    archive.distributed("averaging/stress_parts", numbers, n_parts);
+    parts.resize(numbers.size() / n_parts);
+    if (!parts.empty())
+      std::memcpy(parts.data(),
+                  numbers.data(),
+                  numbers.size() * sizeof(double));
   }
 
   template class NodeAveraging<2>;

@@ -1,3 +1,4 @@
+#include <mpm_granular/core/lanes.h>
 #include <mpm_granular/parameters/pattern_text.h>
 #include <mpm_granular/transfer/position_shift.h>
 
@@ -36,6 +37,7 @@ namespace mpm_granular::Transfer
                           const Mesh::Partition<dim>           &partition,
                           const double                          rate,
                           const Filling<dim>                   &filling,
+                          const std::vector<double>            &cell_sizes,
                           const Grid::VelocityConstraints<dim> &constraints,
                           const double                          time_step,
                           Grid::NodalFields<dim>               &fields) const
@@ -52,27 +54,34 @@ namespace mpm_granular::Transfer
       excess[i] = std::max(filling.fraction(fields, i) - 1., 0.);
     fields.hanging.extend(excess);
 
-    // Means over the cells around the nodes: sums, and their weights.
-    std::vector<std::array<double, dim + 1>> shifts(fields.n_active_nodes());
+    const double fastest = furthest / time_step;
+
+    // Means over the cells around the nodes: sums, and in the last lane their
+    // weights.
+    std::vector<std::array<Lanes, 1>> shifts(fields.n_active_nodes());
     for (unsigned int c = 0; c < fields.active_cells.size(); ++c)
       {
         const unsigned int index = fields.active_cells[c];
         if (!partition.is_owned(index))
           continue;
-        const auto    &nodes = active.nodes[c];
-        Tensor<1, dim> slope;
-        for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-          slope += excess[nodes[k]] * cells[index].shape_gradient(k);
+        const Cell &cell  = cells[index];
+        const auto &nodes = active.nodes[c];
+        Lanes       slope = 0.;
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            const auto &g = cell.gradient[k];
+            slope += (excess[nodes[k + 1]] - excess[nodes[0]]) *
+                     Lanes(g[0], g[1], g[dim - 1], 0.);
+          }
 
-        const double                volume  = mesh.cell_volume(index);
-        const double                size    = mesh.size_of_cell(volume);
-        const double                largest = furthest * size / time_step;
-        std::array<double, dim + 1> part;
-        for (unsigned int d = 0; d < dim; ++d)
-          part[d] =
-            volume *
-            std::clamp(-rate * size * size * slope[d], -largest, largest);
-        part[dim] = volume;
+        const double volume  = mesh.cell_volume(index);
+        const double size    = cell_sizes[index];
+        const Lanes  shift   = -rate * size * size * slope;
+        const Lanes  largest = fastest * size;
+        const Lanes  clamped =
+          0. - minimum(0. - minimum(shift, largest), largest);
+        std::array<Lanes, 1> part  = {{volume * clamped}};
+        part[0].data[Lanes::n - 1] = volume;
         for (const unsigned int node : nodes)
           fields.hanging.add_at(shifts, node, part);
       }
@@ -80,9 +89,13 @@ namespace mpm_granular::Transfer
 
     std::vector<Tensor<1, dim>> velocity(shifts.size());
     for (unsigned int i = 0; i < velocity.size(); ++i)
-      if (shifts[i][dim] > 0.)
-        for (unsigned int d = 0; d < dim; ++d)
-          velocity[i][d] = shifts[i][d] / shifts[i][dim];
+      {
+        const auto  &sums   = shifts[i][0].data;
+        const double volume = sums[Lanes::n - 1];
+        if (volume > 0.)
+          for (unsigned int d = 0; d < dim; ++d)
+            velocity[i][d] = sums[d] / volume;
+      }
     constraints.project(velocity);
 
     Tensor<1, dim> moved;

@@ -1,6 +1,8 @@
 #ifndef mpm_granular_core_lanes_h
 #define mpm_granular_core_lanes_h
 
+#include <array>
+#include <cstddef>
 #include <cstring>
 
 namespace mpm_granular
@@ -117,6 +119,17 @@ namespace mpm_granular
   accumulate(Lanes &sum, const double value)
   {
     sum.data[0] += value;
+  }
+
+  /// Adds @p factor times @p value to @p sum.
+  template <std::size_t n>
+  inline void
+  add_scaled(std::array<Lanes, n>       &sum,
+             const double                factor,
+             const std::array<Lanes, n> &value)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+      sum[i] += factor * value[i];
   }
 
   template <class Number>

@@ -1,6 +1,7 @@
 #ifndef mpm_granular_grid_shared_sums_h
 #define mpm_granular_grid_shared_sums_h
 
+#include <mpm_granular/core/lanes.h>
 #include <mpm_granular/mesh/partition.h>
 
 #include <array>
@@ -69,6 +70,15 @@ namespace mpm_granular::Grid
     sum(std::vector<std::array<double, n>> &values)
     {
       sum(values.empty() ? nullptr : values[0].data(), n);
+    }
+
+    /// The same for numbers in lanes.
+    template <std::size_t n>
+    void
+    sum(std::vector<std::array<Lanes, n>> &values)
+    {
+      static_assert(sizeof(values[0]) == n * Lanes::n * sizeof(double));
+      sum(reinterpret_cast<double *>(values.data()), n * Lanes::n);
     }
 
     /// The same for a vector field.

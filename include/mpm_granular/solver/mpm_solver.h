@@ -292,6 +292,9 @@ namespace mpm_granular::Solver
     largest_specific_volumes() const;
     void
     find_cell_limits();
+
+    void
+    find_cell_sizes();
     void
     smooth_pressures();
     void
@@ -372,6 +375,7 @@ namespace mpm_granular::Solver
     };
 
     std::vector<CellLimits>   cell_limits; ///< by flat cell
+    std::vector<double>       cell_sizes;  ///< if positions are shifted [m]
     std::vector<std::string>  remarks;
     Scheme                    scheme;
     Points::Motion            motion;

@@ -6,6 +6,7 @@
 #include <mpm_granular/transfer/stress_power.h>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace mpm_granular::Transfer
@@ -99,7 +100,7 @@ namespace mpm_granular::Transfer
 
     /// Makes the cells active whose nodes all are.
     void
-    activate_enclosed(Grid::NodalFields<dim> &fields) const;
+    activate_enclosed(Grid::NodalFields<dim> &fields);
 
     /// Sums the points' stresses to the nodes.
     void
@@ -112,21 +113,51 @@ namespace mpm_granular::Transfer
     const Mesh::Partition<dim>      *partition = nullptr;
     Filling<dim>                     filling;
 
+    struct CellOfNode
+    {
+      unsigned int                            index;
+      std::array<unsigned int, Cell::n_nodes> node;
+    };
+
     /// Each cell at its node with the lowest number: cells of node i are
     /// [first_cell[i], first_cell[i + 1]).
     std::vector<unsigned int> first_cell;
-    std::vector<unsigned int> cells_of_node;
+    std::vector<CellOfNode>   cells_of_node;
+
+    /// By node and cell of the mesh, for activate_enclosed(), which leaves them
+    /// as they were: all false, all true.
+    std::vector<std::uint8_t> is_known;
+    std::vector<std::uint8_t> is_empty;
+
+    /// Stress components in the order of n_stress; lanes behind them are zero.
+    using StressLanes =
+      std::array<Lanes, (n_stress<dim> + Lanes::n - 1) / Lanes::n>;
 
     static constexpr unsigned int n_nodes = Cell::n_nodes;
-    static constexpr unsigned int n_parts = n_stress<dim> * n_nodes;
 
-    /// sum_p V_p sigma_p N_k by cell slot, then component, then vertex.
-    std::vector<double>      parts;
-    std::vector<double>      cell_weights;   ///< Omega_e by slot; 0 if not own
-    std::vector<double>      node_weights;   ///< Omega_k by slot
-    std::vector<Stress<dim>> stresses;       ///< of nodes, over Omega_k
-    std::vector<double>      stress_factors; ///< c_k / Omega_k by slot
-    std::vector<VelocityGradient<dim>> gradients; ///< of nodes
+    /// sum_p V_p sigma_p N_k by vertex.
+    using StressParts = std::array<StressLanes, n_nodes>;
+    static constexpr unsigned int n_parts =
+      sizeof(StressParts) / sizeof(double);
+
+    /// Those that other ranks have points in count, too. In the slots behind
+    /// them are enclosed cells without points.
+    unsigned int n_cells_with_points = 0;
+
+    // By slot of the cell, if it has points.
+    std::vector<StressParts> parts;
+    std::vector<StressLanes> own_stresses; ///< sum_p V_p sigma_p
+
+    // By slot of the cell.
+    std::vector<double>                cell_weights; ///< Omega_e; 0 if not own
+    std::vector<double>                own_factors;  ///< c_e
+    std::vector<VelocityGradient<dim>> cell_gradients; ///< L_e of own cells
+
+    // By slot of the node.
+    std::vector<double>      node_weights;   ///< Omega_k
+    std::vector<double>      stress_factors; ///< c_k / Omega_k
+    std::vector<StressLanes> stresses; ///< with the factor, hanging nodes too
+    std::vector<VelocityGradient<dim>> gradients; ///< L_k, hanging nodes too
   };
 } // namespace mpm_granular::Transfer
 

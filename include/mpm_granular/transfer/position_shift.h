@@ -7,6 +7,7 @@
 #include <mpm_granular/transfer/filling.h>
 
 #include <string>
+#include <vector>
 
 namespace mpm_granular::Transfer
 {
@@ -34,6 +35,7 @@ namespace mpm_granular::Transfer
      *
      * @param rate [1/s].
      * @param filling of this step.
+     * @param cell_sizes by flat cell [m].
      * @param constraints walls that only push hold here, too.
      * @param time_step [s].
      * @return mass times mean velocity of the shift: this rank's part of a sum
@@ -44,6 +46,7 @@ namespace mpm_granular::Transfer
         const Mesh::Partition<dim>           &partition,
         const double                          rate,
         const Filling<dim>                   &filling,
+        const std::vector<double>            &cell_sizes,
         const Grid::VelocityConstraints<dim> &constraints,
         const double                          time_step,
         Grid::NodalFields<dim>               &fields) const;
