@@ -54,6 +54,8 @@ for dim in (2,) if IS_DEBUG else (2, 3):
             interrupted(case)
             case.run("--resume", "out")
             same(f"{name}, two processes: resumed", case.results(), on_two)
+        if not IS_DEBUG and (dim == 2) == (kind == "simplices"):
+            continue  # restart.py has these two, without changes of the mesh
         with Folder() as folder:
             case = Case(folder, case_of(dim, kind))
             interrupted(case)
