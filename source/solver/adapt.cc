@@ -64,6 +64,7 @@ namespace mpm_granular::Solver
       }
     split_and_merge();
     changes.n_adaptations += has_changed;
+    changes.n_limited += adaptation.is_limited();
     last_adaptation = n_steps;
     displacement    = 0.;
     agree_on_state(requests());
@@ -118,6 +119,7 @@ namespace mpm_granular::Solver
     archive.replicated("mesh/last_adaptation", last_adaptation);
     archive.replicated("mesh/displacement", displacement);
     archive.replicated("mesh/n_adaptations", changes.n_adaptations);
+    archive.replicated("mesh/n_limited", changes.n_limited);
     archive.replicated("mesh/seconds", changes.seconds);
     if (!archive.is_reading())
       return;

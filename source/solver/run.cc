@@ -467,7 +467,12 @@ namespace mpm_granular::Solver
       console.say("Adaptive mesh: changed " +
                   Output::count_text(changes.n_adaptations) + " times, in " +
                   Output::duration_text(changes.seconds) + "; it has " +
-                  Output::count_text(manifest.n_cells) + " cells.");
+                  Output::count_text(manifest.n_cells) + " cells." +
+                  (changes.n_limited == 0 ?
+                     "" :
+                     " 'Maximum number of cells' kept it coarser than the "
+                     "criteria ask for " +
+                       Output::count_text(changes.n_limited) + " times."));
     console.say("Results in " + folder.path());
   }
 

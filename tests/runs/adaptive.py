@@ -69,10 +69,17 @@ for dim in DIMENSIONS:
                         f"{name}: the same mesh", str(result.manifest["counts"]))
         if n_steps == 540 and kind == "simplices":
             # The program's memory does not grow from 60 changes to 540.
+            brief = run(flying_block(2, kind, 60))
             short, long = (result.manifest["performance"]["peak_memory_bytes"]
-                           for result in (run(flying_block(2, kind, 60)),
-                                          results[1]))
+                           for result in (brief, results[1]))
             checks.that(long < 1.1 * short, "memory", f"{short}, {long} bytes")
+            # 144 cells, of which none may be divided.
+            limited = run(flying_block(2, kind, 60),
+                          "Adaptive mesh/Maximum number of cells=144")
+            said = "'Maximum number of cells' kept it coarser"
+            checks.that(said in limited.text and said not in brief.text and
+                        limited.manifest["counts"]["cells"] == 144,
+                        "a limited number of cells", limited.text[-500:])
 
 
 def column(dim, kind, across=""):

@@ -223,6 +223,7 @@ namespace mpm_granular::Solver
     struct MeshChanges
     {
       unsigned int n_adaptations = 0;  ///< in which it became another mesh
+      unsigned int n_limited     = 0;  ///< in which cells would be too many
       double       seconds       = 0.; ///< wall time of looking and changing
     };
 
@@ -292,7 +293,6 @@ namespace mpm_granular::Solver
     largest_specific_volumes() const;
     void
     find_cell_limits();
-
     void
     find_cell_sizes();
     void
