@@ -1,5 +1,6 @@
 #include <mpm_granular/core/lanes.h>
 #include <mpm_granular/mesh/point_walk.h>
+#include <mpm_granular/points/fetch_ahead.h>
 #include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/point_groups.h>
 
@@ -198,6 +199,12 @@ namespace mpm_granular::Transfer
       using Field = CellField<Cell>;
       for (const auto &run : block.runs)
         {
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              Points::fetch_ahead(position[d], run.begin);
+              Points::fetch_ahead(velocity[d], run.begin);
+            }
+          Points::fetch_ahead(points.mass.data(), run.begin);
           const Cell                  &cell = cells[points.cell[run.begin]];
           const Grid::NodeMotion<dim> *node[Cell::n_nodes];
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
@@ -235,6 +242,17 @@ namespace mpm_granular::Transfer
 
   namespace
   {
+    /// Asks the memory for a cell.
+    template <class Cell>
+    void
+    fetch(const Cell &cell)
+    {
+      constexpr unsigned int line  = 64;
+      const char            *begin = reinterpret_cast<const char *>(&cell);
+      for (unsigned int i = 0; i < sizeof(Cell); i += line)
+        __builtin_prefetch(begin + i);
+    }
+
     /// In a simplex the velocity gradient is one for all points.
     template <int dim, class Straining>
     void
@@ -295,7 +313,10 @@ namespace mpm_granular::Transfer
     mesh.visit([&](const auto &cells) {
       for (const auto &run : block.runs)
         {
-          const auto &cell = cells[points.cell[run.begin]];
+          const auto        &cell  = cells[points.cell[run.begin]];
+          const unsigned int ahead = run.begin + Points::n_points_ahead;
+          if (ahead < points.size())
+            fetch(cells[points.cell[ahead]]);
           evaluate_gradients(
             cell,
             [&](const unsigned int k) -> auto & {
