@@ -11,19 +11,28 @@ namespace mpm_granular::Grid
 
   namespace
   {
-    /// Adds the internal forces of a tetrahedron to its nodes, with one lane
-    /// for each component; in the fourth one, which belongs to the load, zeros.
-    void
-    add_forces(const Mesh::SimplexCell<3>             &cell,
-               const StressSums<Mesh::SimplexCell<3>> &internal,
-               const std::array<unsigned int, 4>      &nodes,
-               std::vector<NodeSums<3>>               &sums)
+    /// Where the numbers of the nodes of a tetrahedron are: mass and momentum,
+    /// then force and load.
+    using Places = std::array<double *, 4>;
+
+    inline Places
+    places_of(const std::array<unsigned int, 4> &nodes,
+              std::vector<NodeSums<3>>          &sums)
     {
       static_assert(sizeof(NodeSums<3>) == 10 * sizeof(double));
-      const auto add = [&](const unsigned int slot, const Lanes &force) {
-        double *place = reinterpret_cast<double *>(&sums[slot]) + 4;
-        store(load<Lanes>(place) + force, place);
-      };
+      Places places;
+      for (unsigned int k = 0; k < 4; ++k)
+        places[k] = reinterpret_cast<double *>(&sums[nodes[k]]);
+      return places;
+    }
+
+    /// Adds the internal forces of a tetrahedron to its nodes, with one lane
+    /// for each component; in the fourth one, which belongs to the load, zeros.
+    inline void
+    add_forces(const Mesh::SimplexCell<3>             &cell,
+               const StressSums<Mesh::SimplexCell<3>> &internal,
+               const Places                           &places)
+    {
       const auto &s         = internal.stress;
       const Lanes column[3] = {Lanes(s[0], s[3], s[5], 0.),
                                Lanes(s[3], s[1], s[4], 0.),
@@ -32,12 +41,22 @@ namespace mpm_granular::Grid
       for (unsigned int k = 0; k < 3; ++k)
         {
           const auto &g = cell.gradient[k];
-          const Lanes force =
-            column[0] * -g[0] - column[1] * g[1] - column[2] * g[2];
-          add(nodes[k + 1], force);
-          rest -= force;
+          const Lanes resistance =
+            column[0] * g[0] + column[1] * g[1] + column[2] * g[2];
+          double *place = places[k + 1] + 4;
+          store(load<Lanes>(place) - resistance, place);
+          rest += resistance;
         }
-      add(nodes[0], rest);
+      store(load<Lanes>(places[0] + 4) + rest, places[0] + 4);
+    }
+
+    void
+    add_forces(const Mesh::SimplexCell<3>             &cell,
+               const StressSums<Mesh::SimplexCell<3>> &internal,
+               const std::array<unsigned int, 4>      &nodes,
+               std::vector<NodeSums<3>>               &sums)
+    {
+      add_forces(cell, internal, places_of(nodes, sums));
     }
 
     /// Adds the internal forces of a cell to its nodes.
@@ -102,8 +121,7 @@ namespace mpm_granular::Grid
     /// component of the momentum.
     inline void
     add_mass_and_momentum(const CellSums<Mesh::SimplexCell<3>> &cell,
-                          const std::array<unsigned int, 4>    &nodes,
-                          std::vector<NodeSums<3>>             &sums)
+                          const Places                         &places)
     {
       const double *mass        = cell.mass.entries.data();
       Lanes         of_nodes[4] = {load<Lanes>(mass) + load<Lanes>(mass + 4) +
@@ -113,10 +131,7 @@ namespace mpm_granular::Grid
                                    load<Lanes>(cell.momentum[2].data())};
       transpose(of_nodes);
       for (unsigned int k = 0; k < 4; ++k)
-        {
-          double *place = reinterpret_cast<double *>(&sums[nodes[k]]);
-          store(load<Lanes>(place) + of_nodes[k], place);
-        }
+        store(load<Lanes>(places[k]) + of_nodes[k], places[k]);
     }
   } // namespace
 
@@ -142,8 +157,9 @@ namespace mpm_granular::Grid
     clear_cells();
     spread.reinit(mesh.n_nodes());
     active_nodes.clear();
-    cell_slot.assign(mesh.n_cells(), 0);
-    node_slot.assign(mesh.n_nodes(), 0);
+    cell_slot.assign(mesh.n_cells(), no_slot);
+    node_slot.assign(mesh.n_nodes(), no_slot);
+    hanging_nodes.clear();
   }
 
   namespace
@@ -161,12 +177,28 @@ namespace mpm_granular::Grid
       if (with_forces)
         Grid::add_forces(cell, of_cell.internal, slots, sums);
     }
+
+    inline void
+    add_cell(const Mesh::SimplexCell<3>           &cell,
+             const CellSums<Mesh::SimplexCell<3>> &of_cell,
+             const std::array<unsigned int, 4>    &slots,
+             const bool                            with_forces,
+             std::vector<NodeSums<3>>             &sums)
+    {
+      const Places places = places_of(slots, sums);
+      Grid::add_mass_and_momentum(of_cell, places);
+      if (with_forces)
+        Grid::add_forces(cell, of_cell.internal, places);
+    }
   } // namespace
 
   template <int dim>
   void
   NodalFields<dim>::gather_nodes(const bool with_forces)
   {
+    for (const auto *nodes : {&active_nodes, &hanging_nodes})
+      for (const unsigned int node : *nodes)
+        node_slot[node] = no_slot;
     active_nodes.clear();
     sums.clear();
     std::vector<unsigned int> at_hanging;
@@ -181,6 +213,7 @@ namespace mpm_granular::Grid
               at_hanging.push_back(c);
               continue;
             }
+          fetch_ahead(cells, active.sums, c);
           const Cell &cell = cells[active_cells[c]];
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
             active.nodes[c][k] = activate_node(cell.node[k]);
@@ -380,6 +413,47 @@ namespace mpm_granular::Grid
       sums[i].force = partial[i];
   }
 
+  namespace
+  {
+    template <int dim>
+    Lanes
+    as_lanes(const Tensor<1, dim> &vector)
+    {
+      return Lanes(vector[0], vector[1], dim == 3 ? vector[dim - 1] : 0., 0.);
+    }
+
+    template <int dim>
+    Tensor<1, dim>
+    as_tensor(const Lanes &lanes)
+    {
+      Tensor<1, dim> vector;
+      for (unsigned int d = 0; d < dim; ++d)
+        vector[d] = lanes.data[d];
+      return vector;
+    }
+
+    /// Adds the mass matrix of a cell times the values at its nodes to the
+    /// products, with a lane for each component: half of the time of numbers
+    /// one by one.
+    template <class CellMass, std::size_t n_nodes, class Product>
+    inline void
+    multiply(const CellMass                          &mass,
+             const std::array<unsigned int, n_nodes> &nodes,
+             std::vector<Product>                    &products)
+    {
+      Lanes value[n_nodes];
+      for (unsigned int k = 0; k < n_nodes; ++k)
+        value[k] = products[nodes[k]].value;
+      for (unsigned int k = 0; k < n_nodes; ++k)
+        {
+          Lanes sum = mass(k, 0) * value[0];
+          for (unsigned int j = 1; j < n_nodes; ++j)
+            sum += mass(k, j) * value[j];
+          products[nodes[k]].product += sum;
+        }
+    }
+  } // namespace
+
   template <int dim>
   void
   NodalFields<dim>::add_mass_times(const std::vector<Tensor<1, dim>> &field,
@@ -388,25 +462,18 @@ namespace mpm_granular::Grid
     auto &sum_here = shared.is_serial() ? result : partial;
     if (!shared.is_serial())
       partial.assign(field.size(), Tensor<1, dim>());
+
+    const unsigned int n = field.size();
+    products.resize(n + hanging.size());
+    for (unsigned int i = 0; i < products.size(); ++i)
+      products[i] = {as_lanes(hanging.value_at(field, i)), 0.};
     visit([&](const auto &active) {
       for (unsigned int c = 0; c < active_cells.size(); ++c)
-        {
-          const auto            &mass  = active.sums[c].mass;
-          const auto            &nodes = active.nodes[c];
-          constexpr unsigned int n_nodes =
-            std::tuple_size_v<std::decay_t<decltype(nodes)>>;
-          std::array<Tensor<1, dim>, n_nodes> local;
-          for (unsigned int k = 0; k < n_nodes; ++k)
-            local[k] = hanging.value_at(field, nodes[k]);
-          for (unsigned int k = 0; k < n_nodes; ++k)
-            {
-              Tensor<1, dim> sum;
-              for (unsigned int j = 0; j < n_nodes; ++j)
-                sum += mass(k, j) * local[j];
-              hanging.add_at(sum_here, nodes[k], sum);
-            }
-        }
+        multiply(active.sums[c].mass, active.nodes[c], products);
     });
+    for (unsigned int i = 0; i < products.size(); ++i)
+      hanging.add_at(sum_here, i, as_tensor<dim>(products[i].product));
+
     spread.add_mass_times(
       [&](const unsigned int node) { return node_slot[node]; },
       field,
@@ -422,6 +489,8 @@ namespace mpm_granular::Grid
   void
   NodalFields<dim>::serialize(Core::Archive &archive)
   {
+    if (archive.is_reading())
+      clear_cells();
     if (partition.acts_beyond_cells)
       spread.serialize(archive);
     archive.distributed("grid/active_cells", active_cells);
@@ -465,6 +534,7 @@ namespace mpm_granular::Grid
              all_cells) +
            spread.memory_consumption() +
            sums.capacity() * sizeof(NodeSums<dim>) +
+           products.capacity() * sizeof(Product) +
            motion.capacity() * sizeof(NodeMotion<dim>);
   }
 

@@ -4,6 +4,7 @@
 #include <mpm_granular/core/vectorize.h>
 #include <mpm_granular/materials/strain_increments.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mpm_granular::Materials
@@ -141,8 +142,7 @@ namespace mpm_granular::Materials
     // take as long as these: zeros fill up the last one.
     const unsigned int n_padded = (n + vector - 1) / vector * vector;
     for (auto &column : gradient)
-      for (unsigned int r = n; r < n_padded; ++r)
-        column[r] = 0.;
+      std::fill_n(column.begin() + n, vector, 0.);
 
     Column volume_change;
     MPM_INDEPENDENT_ITERATIONS

@@ -92,24 +92,6 @@ namespace mpm_granular::Materials
 
 
 
-    /// Asks the memory for what a law will need of the points ahead.
-    template <int dim>
-    void
-    fetch_ahead(const Points::PointArrays<dim> &points, const Points::Run range)
-    {
-      constexpr unsigned int n_in_line = 64 / sizeof(double);
-      for (unsigned int p = range.begin; p < range.end; p += n_in_line)
-        {
-          for (const auto &component : points.stress)
-            Points::fetch_ahead(component.data(), p);
-          for (const auto &slot : points.history)
-            Points::fetch_ahead(slot.data(), p);
-          Points::fetch_ahead(points.volume.data(), p);
-        }
-    }
-
-
-
     template <int dim>
     void
     multiply_volumes(Points::PointArrays<dim>    &points,
@@ -151,7 +133,7 @@ namespace mpm_granular::Materials
                            ArrayView<const Points::Run>(batch.pieces.data(),
                                                         batch.n_pieces));
         const auto &increments = are_points ? of_runs : of_points;
-        fetch_ahead(points, batch.range);
+        Points::fetch_ahead(points, batch.range);
         multiply_volumes(points, batch.range, increments);
         released_energy += law.update(points, batch.range, increments);
       }

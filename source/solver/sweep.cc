@@ -69,6 +69,7 @@ namespace mpm_granular::Solver
   void
   Sweep<dim>::find_shape_values(Points::PointArrays<dim> &points)
   {
+    Transfer::find_shape_values(mesh, points, block);
     Transfer::relocate(mesh, partition, points, block);
   }
 
@@ -120,6 +121,7 @@ namespace mpm_granular::Solver
     SweepResult result;
     clear(fields);
     for_each_block(points, [&] {
+      Transfer::find_shape_values(mesh, points, block);
       relocate_and_sum(points, fields, result);
       averaging.add_stresses(points, block, fields);
     });

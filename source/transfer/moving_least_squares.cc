@@ -1,3 +1,4 @@
+#include <mpm_granular/transfer/grid_to_points.h>
 #include <mpm_granular/transfer/moving_least_squares.h>
 
 namespace mpm_granular::Transfer
@@ -124,11 +125,11 @@ namespace mpm_granular::Transfer
 
   template <int dim>
   void
-  MovingLeastSquares<dim>::move_points(const Mesh::BackgroundMesh<dim> &,
-                                       const Grid::NodalFields<dim> &fields,
-                                       PointBlock<dim>              &block,
-                                       const double                  time_step,
-                                       const double                  pic_factor,
+  MovingLeastSquares<dim>::move_points(const Mesh::BackgroundMesh<dim> &mesh,
+                                       const Grid::NodalFields<dim>    &fields,
+                                       PointBlock<dim>                 &block,
+                                       const double              time_step,
+                                       const double              pic_factor,
                                        Points::PointArrays<dim> &points) const
   {
     functions.find(points, block);
@@ -148,6 +149,7 @@ namespace mpm_granular::Transfer
               (1. - pic_factor) * points.velocity[d][p] + change[d];
           }
       }
+    find_shape_values(mesh, points, block);
   }
 
   template class MovingLeastSquares<2>;

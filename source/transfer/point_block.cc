@@ -1,10 +1,19 @@
-#include <mpm_granular/core/lanes.h>
+#include <mpm_granular/core/marks.h>
 #include <mpm_granular/transfer/point_block.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace mpm_granular::Transfer
 {
+  namespace
+  {
+    /// How far behind its first point for_each_marked() looks at a block.
+    template <int dim>
+    constexpr unsigned int
+      reach = (PointBlock<dim>::target_size / n_marks + 1) * n_marks;
+  } // namespace
+
   template <int dim>
   void
   PointBlock<dim>::reinit(const Points::PointArrays<dim> &points,
@@ -13,29 +22,32 @@ namespace mpm_granular::Transfer
     const unsigned int  n        = points.size();
     const unsigned int *cell     = points.cell.data();
     const auto         *material = points.material.data();
-    const auto          begins   = [&](const unsigned int p) {
+    const auto          begins   = [&](const std::size_t p) {
       return (cell[p] != cell[p - 1]) | (material[p] != material[p - 1]);
     };
     begin = first;
     end   = std::min(first + target_size, n);
 
-    // Where a run begins cannot be predicted, so there is no branch on it: ends
-    // and beginnings that are none are overwritten. 4 % of a step.
-    runs.resize(target_size + 1);
-    unsigned int last = 0;
-    runs[0].begin     = first;
-    for (unsigned int p = first + 1; p < end; ++p)
-      {
-        runs[last].end       = p;
-        runs[last + 1].begin = p;
-        last += begins(p);
-      }
+    runs.clear();
+    unsigned int run_begin = first;
+    const auto   end_run   = [&](const unsigned int p) {
+      runs.push_back({run_begin, p});
+      run_begin = p;
+    };
+    if (first + reach<dim> < n)
+      for_each_marked(
+        end - first - 1,
+        [&](const std::size_t i) { return begins(first + 1 + i); },
+        [&](const unsigned int i) { end_run(first + 1 + i); });
+    else
+      for (unsigned int p = first + 1; p < end; ++p)
+        if (begins(p))
+          end_run(p);
     while (end < n && !begins(end))
       ++end;
-    runs[last].end = end;
-    runs.resize(last + 1);
+    end_run(end);
 
-    const unsigned int size = end - begin + Lanes::n;
+    const unsigned int size = end - begin + n_marks;
     if (heights.size() < size)
       {
         const auto resize = [&](Array &array) { array.resize(size); };

@@ -91,16 +91,6 @@ namespace mpm_granular::Transfer
       void
       add(const MovingPoints<3> &points, const Points::Run range)
       {
-        if (range.end - range.begin == 1)
-          {
-            const unsigned int p  = range.begin;
-            const auto        &of = points.shape_values;
-            const unsigned int i  = p - points.begin;
-            add(points,
-                p,
-                points.mass[p] * Lanes(of[0][i], of[1][i], of[2][i], of[3][i]));
-            return;
-          }
         for (unsigned int p = range.begin; p < range.end; p += Lanes::n)
           {
             const unsigned int i         = p - points.begin;

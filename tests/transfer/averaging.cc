@@ -50,6 +50,7 @@ struct Averaged : ScatteredPoints<dim>
     fields.clear_cells();
     averaging->clear();
     this->for_each_block([&] {
+      Transfer::find_shape_values(this->mesh, arrays, this->block);
       Transfer::relocate(this->mesh, this->partition, arrays, this->block);
       Transfer::add_mass_and_momentum(this->mesh, arrays, this->block, fields);
       averaging->add_volumes(arrays, this->block, fields);

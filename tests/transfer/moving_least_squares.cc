@@ -232,6 +232,7 @@ struct Body
     fields.clear_cells();
     averaging->clear();
     for_each_block([&] {
+      Transfer::find_shape_values(mesh, arrays, block);
       const auto relocation =
         Transfer::relocate(mesh, partition, arrays, block);
       is_within_reach &= !relocation.is_out_of_reach;

@@ -28,6 +28,7 @@ largest_error(ScatteredPoints<dim>                            &test,
   Transfer::PressureFilter<dim> filter(test.mesh);
   filter.reinit(test.fields);
   const auto find_shape_values = [&] {
+    Transfer::find_shape_values(test.mesh, points, test.block);
     Transfer::relocate(test.mesh, test.partition, points, test.block);
   };
   test.for_each_block([&] {

@@ -107,6 +107,7 @@ namespace Test
     {
       fields.clear_cells();
       for_each_block([&] {
+        Transfer::find_shape_values(mesh, points.arrays(), block);
         Transfer::relocate(mesh, partition, points.arrays(), block);
         Transfer::add_mass_and_momentum(mesh, points.arrays(), block, fields);
         Transfer::add_stress(mesh, points.arrays(), block, fields);

@@ -95,6 +95,7 @@ struct Body
     test.project();
     fields.clear_cells();
     test.for_each_block([&] {
+      Transfer::find_shape_values(test.mesh, points, test.block);
       Transfer::relocate(test.mesh, test.partition, points, test.block);
       Transfer::add_mass_and_momentum(test.mesh, points, test.block, fields);
       scheme->give(test.mesh, points, test.block, fields);

@@ -4,6 +4,8 @@
 #include <deal.II/base/tensor.h>
 
 #include <mpm_granular/core/archive.h>
+#include <mpm_granular/core/fetch.h>
+#include <mpm_granular/core/lanes.h>
 #include <mpm_granular/grid/cell_sums.h>
 #include <mpm_granular/grid/hanging_slots.h>
 #include <mpm_granular/grid/node_sums.h>
@@ -11,6 +13,7 @@
 #include <mpm_granular/grid/spread_sums.h>
 #include <mpm_granular/mesh/background_mesh.h>
 
+#include <limits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -93,6 +96,8 @@ namespace mpm_granular::Grid
     void
     clear_cells()
     {
+      for (const unsigned int cell : active_cells)
+        cell_slot[cell] = no_slot;
       active_cells.clear();
       visit([](auto &cells) { cells.sums.clear(); });
       spread.clear();
@@ -128,13 +133,14 @@ namespace mpm_granular::Grid
     sums_of(ActiveCells<Cell> &cells, const unsigned int cell)
     {
       const unsigned int slot = cell_slot[cell];
-      // A slot says who owns it, so slots need no clearing.
-      if (slot < active_cells.size() && active_cells[slot] == cell)
+      if (slot != no_slot)
         return cells.sums[slot];
       cell_slot[cell] = active_cells.size();
       active_cells.push_back(cell);
       cells.sums.emplace_back();
-      return cells.sums.back();
+      auto &sums = cells.sums.back();
+      fetch<true>(&sums + n_cells_ahead);
+      return sums;
     }
 
     /// Makes a cell active, if it is not.
@@ -152,8 +158,7 @@ namespace mpm_granular::Grid
     bool
     is_active_cell(const unsigned int cell) const
     {
-      return cell_slot[cell] < active_cells.size() &&
-             active_cells[cell_slot[cell]] == cell;
+      return cell_slot[cell] != no_slot;
     }
 
     /// Sets the sums of all stresses to zero.
@@ -239,8 +244,7 @@ namespace mpm_granular::Grid
     bool
     is_active_node(const unsigned int node) const
     {
-      return node_slot[node] < active_nodes.size() &&
-             active_nodes[node_slot[node]] == node;
+      return node_slot[node] < active_nodes.size();
     }
 
     /// Slot of an active cell.
@@ -275,6 +279,29 @@ namespace mpm_granular::Grid
     memory_consumption() const;
 
   private:
+    /// Slot of what is not active.
+    static constexpr unsigned int no_slot =
+      std::numeric_limits<unsigned int>::max();
+
+    /// How many cells ahead of their use sums and geometry are asked for: 4 ns
+    /// of 56 a point-step with a million points, nothing with 8,000.
+    static constexpr unsigned int n_cells_ahead = 32;
+
+    /// Asks for what gather_nodes() will need of a cell that is so far ahead.
+    template <class Cell>
+    void
+    fetch_ahead(const std::vector<Cell>           &mesh_cells,
+                const std::vector<CellSums<Cell>> &cell_sums,
+                const unsigned int                 slot) const
+    {
+      const unsigned int ahead = slot + n_cells_ahead;
+      if (ahead < active_cells.size())
+        {
+          fetch(&mesh_cells[active_cells[ahead]]);
+          fetch(&cell_sums[ahead]);
+        }
+    }
+
     /// Completes what gather_nodes() has summed over the ranks.
     void
     sum_nodes();
@@ -310,6 +337,14 @@ namespace mpm_granular::Grid
     std::vector<unsigned int>        hanging_nodes; ///< by slot behind others
     std::vector<double>              packed; ///< of nodes, for sums over ranks
     std::vector<dealii::Tensor<1, dim>> partial; ///< this rank's part of a sum
+
+    /// For add_mass_times(): a field and its product, a cache line for each
+    /// node, hanging ones too.
+    struct Product
+    {
+      Lanes value, product;
+    };
+    std::vector<Product> products;
   };
 } // namespace mpm_granular::Grid
 

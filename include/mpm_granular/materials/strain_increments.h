@@ -35,7 +35,9 @@ namespace mpm_granular::Materials
     static constexpr unsigned int vector = 8;
     static_assert(capacity % vector == 0);
 
-    using Column = std::array<double, capacity + group>;
+    /// With room for what whole groups write behind the last entry.
+    using Column = std::array<double, capacity + vector>;
+    static_assert(group <= vector);
 
     /// Components R_ij of the rotation of the step, row by row.
     alignas(64) std::array<Column, dim * dim> rotation;

@@ -11,7 +11,8 @@
 namespace mpm_granular::Transfer
 {
   /// Moves the points of a block with the grid (T13) and updates their
-  /// velocities (T14).
+  /// velocities (T14). Shape values are then those of the new places, in the
+  /// cells in which the points were.
   template <int dim>
   void
   move_points(const Mesh::BackgroundMesh<dim> &mesh,
@@ -30,6 +31,14 @@ namespace mpm_granular::Transfer
                      const Points::PointArrays<dim>  &points,
                      PointBlock<dim>                 &block);
 
+  /// Sets the shape values of the block's points in their cells, in which they
+  /// need not be any more.
+  template <int dim>
+  void
+  find_shape_values(const Mesh::BackgroundMesh<dim> &mesh,
+                    const Points::PointArrays<dim>  &points,
+                    PointBlock<dim>                 &block);
+
   /// No point is lost.
   inline constexpr unsigned int no_point =
     std::numeric_limits<unsigned int>::max();
@@ -47,8 +56,9 @@ namespace mpm_granular::Transfer
     operator+=(const Relocation &other);
   };
 
-  /// Finds the host cells of the block's points at their new places and their
-  /// shape values there.
+  /// Finds the host cells of the block's points at their new places, and the
+  /// shape values of those that have left their cells. The shape values in the
+  /// old cells must be set (move_points() or find_shape_values()).
   template <int dim>
   Relocation
   relocate(const Mesh::BackgroundMesh<dim> &mesh,

@@ -48,7 +48,7 @@ namespace mpm_granular::Transfer
 
     /// Kernels compute with whole groups of points that begin at the first of a
     /// run. What they write beyond the run's end is overwritten by the next
-    /// run; so arrays of the block have room for a group more.
+    /// run; so arrays of the block have room for more, n_marks of them.
     using Array = std::vector<double>;
 
     /// Shape values of the points at their new places, by node and place in the
