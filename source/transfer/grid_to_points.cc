@@ -179,7 +179,9 @@ namespace mpm_granular::Transfer
     {
       const auto g1 = load<Lanes>(cell.gradient[0].data());
       const auto g2 = load<Lanes>(cell.gradient[1].data());
-      const auto g3 = load<Lanes>(cell.gradient[2].data());
+      // Behind the last one are integers, as numbers so small that some
+      // processors take long for them.
+      const auto g3 = first_of(load<Lanes>(cell.gradient[2].data()), 3);
       const auto g0 = g1 + g2 + g3; // less that of node 0
       for (unsigned int i = 0; i < 3; ++i)
         {
