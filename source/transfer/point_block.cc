@@ -6,14 +6,6 @@
 
 namespace mpm_granular::Transfer
 {
-  namespace
-  {
-    /// How far behind its first point for_each_marked() looks at a block.
-    template <int dim>
-    constexpr unsigned int
-      reach = (PointBlock<dim>::target_size / n_marks + 1) * n_marks;
-  } // namespace
-
   template <int dim>
   void
   PointBlock<dim>::reinit(const Points::PointArrays<dim> &points,
@@ -28,13 +20,15 @@ namespace mpm_granular::Transfer
     begin = first;
     end   = std::min(first + target_size, n);
 
+    // How far for_each_marked() looks.
+    constexpr unsigned int reach = (target_size / n_marks + 1) * n_marks;
     runs.clear();
     unsigned int run_begin = first;
     const auto   end_run   = [&](const unsigned int p) {
       runs.push_back({run_begin, p});
       run_begin = p;
     };
-    if (first + reach<dim> < n)
+    if (first + reach < n)
       for_each_marked(
         end - first - 1,
         [&](const std::size_t i) { return begins(first + 1 + i); },

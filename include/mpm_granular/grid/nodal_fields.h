@@ -13,7 +13,6 @@
 #include <mpm_granular/grid/spread_sums.h>
 #include <mpm_granular/mesh/background_mesh.h>
 
-#include <limits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -280,8 +279,7 @@ namespace mpm_granular::Grid
 
   private:
     /// Slot of what is not active.
-    static constexpr unsigned int no_slot =
-      std::numeric_limits<unsigned int>::max();
+    static constexpr unsigned int no_slot = SharedSums<dim>::no_slot;
 
     /// How many cells ahead of their use sums and geometry are asked for: 4 ns
     /// of 56 a point-step with a million points, nothing with 8,000.
