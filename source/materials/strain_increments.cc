@@ -1,11 +1,13 @@
 #include <deal.II/base/exceptions.h>
 
 #include <mpm_granular/core/lanes.h>
+#include <mpm_granular/core/selection.h>
 #include <mpm_granular/core/vectorize.h>
 #include <mpm_granular/materials/strain_increments.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace mpm_granular::Materials
 {
@@ -132,17 +134,31 @@ namespace mpm_granular::Materials
     const unsigned int n = velocity_gradients.size();
     time_step            = step;
 
+    // From rows to columns, four runs at a time. There are some twenty runs,
+    // and what is left behind whole vectors would take as long as these: so
+    // the last run fills up the last vector.
+    const unsigned int            n_padded = (n + vector - 1) / vector * vector;
     std::array<Column, dim * dim> gradient;
-    for (unsigned int r = 0; r < n; ++r)
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          gradient[i * dim + j][r] = step * velocity_gradients[r][i][j];
-
-    // There are some twenty runs, and what is left behind whole vectors would
-    // take as long as these: zeros fill up the last one.
-    const unsigned int n_padded = (n + vector - 1) / vector * vector;
-    for (auto &column : gradient)
-      std::fill_n(column.begin() + n, vector, 0.);
+    for (unsigned int r = 0; r < n_padded; r += Lanes::n)
+      {
+        const double *rows[Lanes::n];
+        for (unsigned int k = 0; k < Lanes::n; ++k)
+          rows[k] = &velocity_gradients[std::min(r + k, n - 1)][0][0];
+        for (unsigned int c = 0; c + Lanes::n <= gradient.size(); c += Lanes::n)
+          {
+            Lanes parts[Lanes::n];
+            for (unsigned int k = 0; k < Lanes::n; ++k)
+              parts[k] = load<Lanes>(rows[k] + c);
+            transpose(parts);
+            for (unsigned int k = 0; k < Lanes::n; ++k)
+              store(step * parts[k], &gradient[c + k][r]);
+          }
+        for (unsigned int c = gradient.size() / Lanes::n * Lanes::n;
+             c < gradient.size();
+             ++c)
+          store(step * Lanes(rows[0][c], rows[1][c], rows[2][c], rows[3][c]),
+                &gradient[c][r]);
+      }
 
     Column volume_change;
     MPM_INDEPENDENT_ITERATIONS
@@ -174,39 +190,39 @@ namespace mpm_granular::Materials
           deviatoric_strain[c][r] = strain[c];
       }
 
-    for (unsigned int r = 0; r < n; ++r)
-      if (!(std::abs(volume_change[r]) < limit_of_series))
-        log_volume_ratio[r] = std::log1p(volume_change[r]);
+    std::uint64_t n_large = 0; // as wide as double, to be vectorized
+    for (unsigned int r = 0; r < n_padded; ++r)
+      n_large += !(std::abs(volume_change[r]) < limit_of_series);
+    if (n_large != 0)
+      for (unsigned int r = 0; r < n; ++r)
+        if (!(std::abs(volume_change[r]) < limit_of_series))
+          log_volume_ratio[r] = std::log1p(volume_change[r]);
   }
 
 
 
   template <int dim>
   void
-  StrainIncrements<dim>::spread(const StrainIncrements            &of_runs,
-                                const ArrayView<const Points::Run> runs)
+  StrainIncrements<dim>::spread(const StrainIncrements              &of_runs,
+                                const ArrayView<const std::uint32_t> run_of)
   {
+    const unsigned int n_points = run_of.size();
+    Assert(n_points <= capacity, ExcInternalError());
+    static_assert(Selection::n <= vector);
     time_step = of_runs.time_step;
-    if (runs.size() == 0)
-      return;
-    const unsigned int first = runs[0].begin;
-    Assert(runs[runs.size() - 1].end - first <= capacity, ExcInternalError());
-
-    // Whole groups are written at once, without a remainder. What lies beyond
-    // the run is overwritten by the next one.
-    static_assert(group == Lanes::n);
-    for (unsigned int r = 0; r < runs.size(); ++r)
-      for (unsigned int i = runs[r].begin - first; i < runs[r].end - first;
-           i += group)
-        {
-          for (unsigned int c = 0; c < rotation.size(); ++c)
-            store(Lanes(of_runs.rotation[c][r]), &rotation[c][i]);
-          for (unsigned int c = 0; c < deviatoric_strain.size(); ++c)
-            store(Lanes(of_runs.deviatoric_strain[c][r]),
-                  &deviatoric_strain[c][i]);
-          store(Lanes(of_runs.volume_ratio[r]), &volume_ratio[i]);
-          store(Lanes(of_runs.log_volume_ratio[r]), &log_volume_ratio[i]);
-        }
+    for (std::size_t i = 0; i < n_points; i += Selection::n)
+      {
+        const Selection selected(run_of.data() + i);
+        const auto      copy = [&](const Column &from, Column &to) {
+          selected.copy(from.data(), &to[i]);
+        };
+        for (unsigned int c = 0; c < rotation.size(); ++c)
+          copy(of_runs.rotation[c], rotation[c]);
+        for (unsigned int c = 0; c < deviatoric_strain.size(); ++c)
+          copy(of_runs.deviatoric_strain[c], deviatoric_strain[c]);
+        copy(of_runs.volume_ratio, volume_ratio);
+        copy(of_runs.log_volume_ratio, log_volume_ratio);
+      }
   }
 
   template struct StrainIncrements<2>;

@@ -1,12 +1,14 @@
 #include <deal.II/base/exceptions.h>
 
 #include <mpm_granular/core/exceptions.h>
+#include <mpm_granular/core/selection.h>
 #include <mpm_granular/core/vectorize.h>
 #include <mpm_granular/materials/stress_update.h>
 #include <mpm_granular/points/fetch_ahead.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 namespace mpm_granular::Materials
@@ -22,10 +24,13 @@ namespace mpm_granular::Materials
     {
       static constexpr unsigned int capacity = StrainIncrements<dim>::capacity;
 
-      Points::Run                       range;
-      std::array<Points::Run, capacity> pieces;
-      unsigned int                      n_pieces  = 0;
-      unsigned int                      first_run = 0;
+      Points::Run  range;
+      unsigned int first_run;
+      unsigned int n_runs = 0;
+
+      /// Of each point the run, counted from the first; whole groups of
+      /// Selection.
+      std::array<std::uint32_t, capacity + Selection::n> run_of;
     };
 
 
@@ -34,32 +39,41 @@ namespace mpm_granular::Materials
     /// @p run, of which @p n_taken points are in earlier batches; both are
     /// advanced to where the next batch begins.
     template <int dim>
-    Batch<dim>
-    next_batch(const ArrayView<const Points::Run> runs,
+    void
+    take_batch(const ArrayView<const Points::Run> runs,
                unsigned int                      &run,
-               unsigned int                      &n_taken)
+               unsigned int                      &n_taken,
+               Batch<dim>                        &batch)
     {
-      Batch<dim>         batch;
-      const unsigned int begin = runs[run].begin + n_taken;
-      const unsigned int limit = begin + Batch<dim>::capacity;
-      batch.range              = {begin, begin};
-      batch.first_run          = run;
-      while (run < runs.size() && batch.n_pieces < Batch<dim>::capacity &&
-             batch.range.end < limit &&
-             runs[run].begin + n_taken == batch.range.end)
+      constexpr unsigned int capacity = Batch<dim>::capacity;
+      const unsigned int     begin    = runs[run].begin + n_taken;
+      const unsigned int     n_runs   = runs.size();
+      batch.first_run                 = run;
+
+      Selection::Entries entries{}; // n times the run
+      unsigned int       n = 0;     // points
+      do
         {
-          const unsigned int end         = std::min(runs[run].end, limit);
-          batch.pieces[batch.n_pieces++] = {batch.range.end, end};
-          batch.range.end                = end;
-          if (end < runs[run].end)
+          // Beyond the run's end this is overwritten for the next one.
+          store(entries, &batch.run_of[n]);
+          const unsigned int end = std::min(runs[run].end - begin, capacity);
+          Assert(n < end, ExcMessage("A run is empty."));
+          if (end > n + Selection::n) // rare
+            std::fill(&batch.run_of[n + Selection::n],
+                      &batch.run_of[end],
+                      entries[0]);
+          n = end;
+          entries += 1;
+          n_taken = begin + n - runs[run].begin;
+          if (begin + n == runs[run].end)
             {
-              n_taken = end - runs[run].begin;
-              break;
+              ++run;
+              n_taken = 0;
             }
-          ++run;
-          n_taken = 0;
-        }
-      return batch;
+      } while (n < capacity && run < n_runs && runs[run].begin == begin + n);
+      store(entries - 1, &batch.run_of[n]);
+      batch.range  = {begin, begin + n};
+      batch.n_runs = entries[0];
     }
 
 
@@ -70,24 +84,29 @@ namespace mpm_granular::Materials
                   const Batch<dim>               &batch,
                   const StrainIncrements<dim>    &of_runs)
     {
-      for (unsigned int r = 0; r < batch.n_pieces; ++r)
-        if (!(of_runs.volume_ratio[r] > 0.))
-          {
-            const unsigned int index = batch.pieces[r].begin;
-            const double       ratio = of_runs.volume_ratio[r];
-            std::ostringstream text;
-            text << "The volume of point " << points.id[index] << " at ("
-                 << points.location(index) << ") in cell " << points.cell[index]
-                 << " would be ";
-            if (std::isnan(ratio))
-              text << "no number, as the velocity gradient is none.";
-            else
-              text << "multiplied by " << ratio << " in a step of "
-                   << of_runs.time_step
-                   << " s. Try a smaller time step, or look for what makes the "
-                      "velocity so uneven there.";
-            throw ComputationError(text.str());
-          }
+      std::uint64_t n_wrong = 0; // as wide as double, to be vectorized
+      for (unsigned int r = 0; r < batch.n_runs; ++r)
+        n_wrong += !(of_runs.volume_ratio[r] > 0.);
+      if (n_wrong == 0)
+        return;
+
+      unsigned int i = 0;
+      while (of_runs.volume_ratio[batch.run_of[i]] > 0.)
+        ++i;
+      const unsigned int index = batch.range.begin + i;
+      const double       ratio = of_runs.volume_ratio[batch.run_of[i]];
+      std::ostringstream text;
+      text << "The volume of point " << points.id[index] << " at ("
+           << points.location(index) << ") in cell " << points.cell[index]
+           << " would be ";
+      if (std::isnan(ratio))
+        text << "no number, as the velocity gradient is none.";
+      else
+        text << "multiplied by " << ratio << " in a step of "
+             << of_runs.time_step
+             << " s. Try a smaller time step, or look for what makes the "
+                "velocity so uneven there.";
+      throw ComputationError(text.str());
     }
 
 
@@ -118,20 +137,21 @@ namespace mpm_granular::Materials
   {
     AssertDimension(runs.size(), velocity_gradients.size());
     StrainIncrements<dim> of_runs, of_points;
+    Batch<dim>            batch;
     double                released_energy = 0.;
     for (unsigned int run = 0, n_taken = 0; run < runs.size();)
       {
-        const Batch<dim> batch = next_batch<dim>(runs, run, n_taken);
+        take_batch(runs, run, n_taken, batch);
         of_runs.compute(ArrayView<const Tensor<2, dim>>(
-                          &velocity_gradients[batch.first_run], batch.n_pieces),
+                          &velocity_gradients[batch.first_run], batch.n_runs),
                         time_step);
         check_volumes(points, batch, of_runs);
-        const bool are_points =
-          batch.n_pieces == batch.range.end - batch.range.begin;
+        const unsigned int n_points   = batch.range.end - batch.range.begin;
+        const bool         are_points = batch.n_runs == n_points;
         if (!are_points)
           of_points.spread(of_runs,
-                           ArrayView<const Points::Run>(batch.pieces.data(),
-                                                        batch.n_pieces));
+                           ArrayView<const std::uint32_t>(batch.run_of.data(),
+                                                          n_points));
         const auto &increments = are_points ? of_runs : of_points;
         Points::fetch_ahead(points, batch.range);
         multiply_volumes(points, batch.range, increments);

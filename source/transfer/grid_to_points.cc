@@ -54,32 +54,20 @@ namespace mpm_granular::Transfer
       return low;
     }
 
-    /// The block's arrays of shape values and heights.
-    template <int dim>
-    struct ShapeValues
+    /// Sets the block's shape values and heights of the points from place @p i
+    /// on, which are at @p x.
+    template <class Number, int dim, class Cell>
+    inline void
+    set_shape_values(const Cell                                 &cell,
+                     const std::array<Number, std::size_t(dim)> &x,
+                     const unsigned int                          i,
+                     PointBlock<dim>                            &block)
     {
-      ShapeValues(PointBlock<dim> &block)
-        : of_nodes(pointers(block.shape_values))
-        , heights(block.heights.data())
-      {}
-
-      /// Sets those of the points from place @p i in the block on, which are at
-      /// @p x.
-      template <class Number, class Cell>
-      void
-      set(const Cell                                 &cell,
-          const std::array<Number, std::size_t(dim)> &x,
-          const unsigned int                          i) const
-      {
-        Number at_nodes[Cell::n_nodes];
-        store(evaluate(cell, x, at_nodes), heights + i);
-        for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-          store(at_nodes[k], of_nodes[k] + i);
-      }
-
-      std::array<double *, (1u << dim)> of_nodes;
-      double                           *heights;
-    };
+      Number at_nodes[Cell::n_nodes];
+      store(evaluate(cell, x, at_nodes), &block.heights[i]);
+      for (unsigned int k = 0; k < Cell::n_nodes; ++k)
+        store(at_nodes[k], &block.shape_values[k][i]);
+    }
   } // namespace
 
   template <int dim>
@@ -91,13 +79,10 @@ namespace mpm_granular::Transfer
               const double                     pic_factor,
               Points::PointArrays<dim>        &points)
   {
-    const unsigned int     n_points     = points.size();
-    const auto             position     = pointers(points.position);
-    const auto             velocity     = pointers(points.velocity);
-    const auto             new_position = pointers(block.position);
-    const auto             new_velocity = pointers(block.velocity);
-    const double           kept         = 1. - pic_factor;
-    const ShapeValues<dim> shape_values(block);
+    const unsigned int n_points = points.size();
+    const auto         position = pointers(points.position);
+    const auto         velocity = pointers(points.velocity);
+    const double       kept     = 1. - pic_factor;
 
     mesh.visit([&](const auto &cells) {
       using Cell = typename std::decay_t<decltype(cells)>::value_type;
@@ -111,10 +96,10 @@ namespace mpm_granular::Transfer
           // Directly with the values at the nodes: gradients of the fields,
           // once for a run, would be more work where runs are short.
           for_each_group(run, n_points, [&](const auto type, const auto p) {
-            using Number         = std::decay_t<decltype(type)>;
-            const unsigned int i = p - block.begin;
-            auto               x = load_all<Number>(position, p);
-            Number             at_nodes[Cell::n_nodes];
+            using Number = std::decay_t<decltype(type)>;
+            auto   x     = load_all<Number>(position, p);
+            auto   v     = load_all<Number>(velocity, p);
+            Number at_nodes[Cell::n_nodes];
             evaluate(cell, x, at_nodes);
             for (unsigned int d = 0; d < dim; ++d)
               {
@@ -125,20 +110,24 @@ namespace mpm_granular::Transfer
                     moving += at_nodes[k] * node[k]->velocity[d];
                     change += at_nodes[k] * node[k]->change[d];
                   }
-                store(kept * load<Number>(velocity[d] + p) + change,
-                      new_velocity[d] + i);
                 x[d] += time_step * moving;
-                store(x[d], new_position[d] + i);
+                v[d] = kept * v[d] + change;
               }
-            shape_values.set(cell, x, i);
+            const unsigned int i = p - block.begin;
+            set_shape_values(cell, x, i, block);
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                store(x[d], &block.position[d][i]);
+                store(v[d], &block.velocity[d][i]);
+              }
           });
         }
     });
     for (unsigned int d = 0; d < dim; ++d)
       {
         const unsigned int n = block.end - block.begin;
-        std::copy_n(new_position[d], n, position[d] + block.begin);
-        std::copy_n(new_velocity[d], n, velocity[d] + block.begin);
+        std::copy_n(block.position[d].data(), n, position[d] + block.begin);
+        std::copy_n(block.velocity[d].data(), n, velocity[d] + block.begin);
       }
   }
 
@@ -285,18 +274,18 @@ namespace mpm_granular::Transfer
                     const Points::PointArrays<dim>  &points,
                     PointBlock<dim>                 &block)
   {
-    const unsigned int     n_points = points.size();
-    const auto             position = pointers(points.position);
-    const ShapeValues<dim> shape_values(block);
+    const unsigned int n_points = points.size();
+    const auto         position = pointers(points.position);
     mesh.visit([&](const auto &cells) {
       for (const auto &run : block.runs)
         {
           const auto &cell = cells[points.cell[run.begin]];
           for_each_group(run, n_points, [&](const auto type, const auto p) {
             using Number = std::decay_t<decltype(type)>;
-            shape_values.set(cell,
+            set_shape_values(cell,
                              load_all<Number>(position, p),
-                             p - block.begin);
+                             p - block.begin,
+                             block);
           });
         }
     });
@@ -313,16 +302,14 @@ namespace mpm_granular::Transfer
     // then counts as this far inside (in heights of the cell).
     constexpr double least = 1e-10;
 
-    const auto    values  = pointers(block.shape_values);
-    double *const heights = block.heights.data();
-    Relocation    result;
+    Relocation result;
 
     mesh.visit([&](const auto &cells) {
       using Cell = typename std::decay_t<decltype(cells)>::value_type;
       block.movers.clear();
       for_each_marked(
         block.end - block.begin,
-        [&](const std::size_t i) { return !(heights[i] >= least); },
+        [&](const std::size_t i) { return !(block.heights[i] >= least); },
         [&](const unsigned int i) { block.movers.push_back(block.begin + i); });
       for (const unsigned int p : block.movers)
         {
@@ -338,7 +325,7 @@ namespace mpm_granular::Transfer
             result.is_out_of_reach = true;
           const auto inner = cells[found.cell].inner_shape_values(x, least);
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-            values[k][p - block.begin] = inner[k];
+            block.shape_values[k][p - block.begin] = inner[k];
         }
     });
     block.find_parts(points);

@@ -18,38 +18,24 @@ namespace mpm_granular::Transfer
       return (cell[p] != cell[p - 1]) | (material[p] != material[p - 1]);
     };
     begin = first;
-    end   = std::min(first + target_size, n);
+    end   = std::min(first + capacity, n);
 
-    // How far for_each_marked() looks.
-    constexpr unsigned int reach = (target_size / n_marks + 1) * n_marks;
     runs.clear();
     unsigned int run_begin = first;
     const auto   end_run   = [&](const unsigned int p) {
       runs.push_back({run_begin, p});
       run_begin = p;
     };
-    if (first + reach < n)
+    if (first + capacity < n) // as for_each_marked() looks so far
       for_each_marked(
-        end - first - 1,
+        capacity - 1,
         [&](const std::size_t i) { return begins(first + 1 + i); },
         [&](const unsigned int i) { end_run(first + 1 + i); });
     else
       for (unsigned int p = first + 1; p < end; ++p)
         if (begins(p))
           end_run(p);
-    while (end < n && !begins(end))
-      ++end;
     end_run(end);
-
-    const unsigned int size = end - begin + n_marks;
-    if (heights.size() < size)
-      {
-        const auto resize = [&](Array &array) { array.resize(size); };
-        std::for_each(shape_values.begin(), shape_values.end(), resize);
-        std::for_each(position.begin(), position.end(), resize);
-        std::for_each(velocity.begin(), velocity.end(), resize);
-        resize(heights);
-      }
   }
 
   template <int dim>

@@ -181,7 +181,6 @@ namespace mpm_granular::Transfer
     const unsigned int n_points     = points.size();
     const auto         place        = pointers(points.position);
     const auto         shape_values = pointers(block.shape_values);
-    smooth_pressure.resize(block.shape_values[0].size());
     mesh.visit([&](const auto &cells) {
       using Cell         = typename std::decay_t<decltype(cells)>::value_type;
       const auto &active = fields.template cells<Cell>();

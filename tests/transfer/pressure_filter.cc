@@ -38,8 +38,8 @@ largest_error(ScatteredPoints<dim>                            &test,
   });
   filter.find_gradients(test.fields);
 
-  double              error = 0.;
-  std::vector<double> smooth;
+  double                                    error = 0.;
+  typename Transfer::PointBlock<dim>::Array smooth;
   test.for_each_block([&] {
     find_shape_values();
     filter.evaluate(test.fields, points, test.block, smooth);

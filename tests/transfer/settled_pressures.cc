@@ -34,12 +34,9 @@ test(const Mesh::MeshSource<dim> &source)
     for (unsigned int s = 0; s < n_stress<dim>; ++s)
       points.stress[s][p] = s < 3 ? -pressure(p) : 0.;
 
-  std::vector<double> field;
-  const auto          fill = [&](const double value) {
-    field.assign(test.block.end - test.block.begin, value);
-  };
+  typename Transfer::PointBlock<dim>::Array field;
   test.for_each_block([&] {
-    fill(smooth);
+    field.fill(smooth);
     settled.keep(points, test.block, field);
   });
 
@@ -49,7 +46,7 @@ test(const Mesh::MeshSource<dim> &source)
     [&](const double base, const double part, const double time) {
       double result = 0.;
       test.for_each_block([&] {
-        fill(base);
+        field.fill(base);
         settled.add(points, test.block, time, field);
         for (unsigned int p = test.block.begin; p < test.block.end; ++p)
           {

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstddef>
-#include <cstring>
+#include <type_traits>
 
 namespace mpm_granular
 {
@@ -23,6 +23,9 @@ namespace mpm_granular
 
     typedef double Vector __attribute__((vector_size(n * sizeof(double))));
 
+    /// Without alignment; an alias of double.
+    typedef Vector InMemory __attribute__((aligned(sizeof(double))));
+
     Vector data;
 
     Lanes() = default;
@@ -31,7 +34,7 @@ namespace mpm_granular
       : data{value, value, value, value}
     {}
 
-    explicit Lanes(const Vector &data)
+    explicit Lanes(const Vector data)
       : data(data)
     {}
 
@@ -132,20 +135,29 @@ namespace mpm_granular
       sum[i] += factor * value[i];
   }
 
+  /// Number = double or Lanes, as consecutive numbers in memory. Not by
+  /// std::memcpy: what may write to anything makes compilers read pointers
+  /// again and again.
   template <class Number>
   inline Number
   load(const double *from)
   {
-    Number number;
-    std::memcpy(&number, from, sizeof(number));
-    return number;
+    if constexpr (std::is_same_v<Number, Lanes>)
+      return Lanes(*reinterpret_cast<const Lanes::InMemory *>(from));
+    else
+      return *from;
   }
 
-  template <class Number>
   inline void
-  store(const Number &number, double *to)
+  store(const Lanes &lanes, double *to)
   {
-    std::memcpy(to, &number, sizeof(number));
+    *reinterpret_cast<Lanes::InMemory *>(to) = lanes.data;
+  }
+
+  inline void
+  store(const double number, double *to)
+  {
+    *to = number;
   }
 
   /// Lane j of a[i] becomes lane i of a[j].

@@ -8,6 +8,7 @@
 #include <mpm_granular/points/point_arrays.h>
 
 #include <array>
+#include <cstdint>
 
 namespace mpm_granular::Materials
 {
@@ -28,16 +29,12 @@ namespace mpm_granular::Materials
   {
     static constexpr unsigned int capacity = 64;
 
-    /// spread() writes whole groups of so many values.
-    static constexpr unsigned int group = 4;
-
-    /// compute() computes whole groups of so many.
+    /// Whole groups of so many are computed and written.
     static constexpr unsigned int vector = 8;
     static_assert(capacity % vector == 0);
 
     /// With room for what whole groups write behind the last entry.
     using Column = std::array<double, capacity + vector>;
-    static_assert(group <= vector);
 
     /// Components R_ij of the rotation of the step, row by row.
     alignas(64) std::array<Column, dim * dim> rotation;
@@ -72,12 +69,14 @@ namespace mpm_granular::Materials
     /**
      * Sets the entries of the points of each run to the one of the run.
      *
-     * @param of_runs entry r belongs to @p runs[r].
-     * @param runs follow each other without gaps; at most @ref capacity points.
+     * @param of_runs entries by run.
+     * @param run_of of each point the run: 0 for the first point, and then that
+     *   of the point before or the next. At most @ref capacity points; numbers
+     *   behind the last, up to a whole group of Selection, are read, too.
      */
     void
-    spread(const StrainIncrements                    &of_runs,
-           const dealii::ArrayView<const Points::Run> runs);
+    spread(const StrainIncrements                      &of_runs,
+           const dealii::ArrayView<const std::uint32_t> run_of);
 
     /// The rotation of point @p index.
     Rotation<dim>

@@ -4,6 +4,8 @@
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/tensor.h>
 
+#include <mpm_granular/core/lanes.h>
+#include <mpm_granular/core/marks.h>
 #include <mpm_granular/points/point_arrays.h>
 
 #include <array>
@@ -19,10 +21,11 @@ namespace mpm_granular::Transfer
   template <int dim>
   struct PointBlock
   {
-    /// Points per block; a run that begins within it is taken whole.
-    /// With the rest of that run it then mostly fills up three batches of a law
-    /// (Materials::StrainIncrements): a fourth one would be almost empty.
-    static constexpr unsigned int target_size = 188;
+    /// Points of a block: of all but the last. Runs end with it. It fills up
+    /// three batches of a law (Materials::StrainIncrements), and
+    /// for_each_marked().
+    static constexpr unsigned int capacity = 192;
+    static_assert(capacity % n_marks == 0);
 
     std::vector<Points::Run> runs; ///< one cell and material each
 
@@ -46,26 +49,27 @@ namespace mpm_granular::Transfer
     void
     find_parts(const Points::PointArrays<dim> &points);
 
-    /// Kernels compute with whole groups of points that begin at the first of a
-    /// run. What they write beyond the run's end is overwritten by the next
-    /// run; so arrays of the block have room for more, n_marks of them.
-    using Array = std::vector<double>;
+    /// One number for each point, with room behind them: kernels compute with
+    /// whole groups of points that begin at the first of a run. What they write
+    /// beyond the run's end is overwritten by the next run. Of fixed size, so
+    /// that kernels need no pointer to each.
+    using Array = std::array<double, capacity + Lanes::n>;
 
     /// Shape values of the points at their new places, by node and place in the
     /// block; as many as the cells have nodes are used.
-    std::array<Array, (1u << dim)> shape_values;
+    std::array<Array, (1u << dim)> shape_values = {};
 
     /// Height of the points above the nearest face of their old cells, in
     /// heights of the cell.
-    Array heights;
+    Array heights = {};
 
     /// What becomes of the points, until it is copied to them.
-    std::array<Array, dim> position, velocity;
+    std::array<Array, dim> position = {}, velocity = {};
 
     unsigned int begin = 0; ///< first point
     unsigned int end   = 0; ///< past the last point
 
-    /// Makes this the block of runs that starts at point @p first.
+    /// Makes this the block that starts at point @p first.
     void
     reinit(const Points::PointArrays<dim> &points, const unsigned int first);
   };
