@@ -47,21 +47,24 @@ namespace mpm_granular::Grid
     sums.clear();
     std::vector<unsigned int> at_hanging;
     mesh.visit([&](const auto &cells) {
-      using Cell   = typename std::decay_t<decltype(cells)>::value_type;
-      auto &active = this->template cells<Cell>();
-      active.nodes.resize(active_cells.size());
-      for (unsigned int c = 0; c < active_cells.size(); ++c)
+      using Cell = typename std::decay_t<decltype(cells)>::value_type;
+      auto              &active        = this->template cells<Cell>();
+      const unsigned int n_cells       = active_cells.size();
+      const bool         is_conforming = mesh.is_conforming();
+      active.nodes.resize(n_cells);
+      for (unsigned int c = 0; c < n_cells; ++c)
         {
-          if (mesh.has_hanging_vertex(active_cells[c]))
+          if (!is_conforming && mesh.has_hanging_vertex(active_cells[c]))
             {
               at_hanging.push_back(c);
               continue;
             }
           fetch_ahead(cells, active.sums, c);
-          const Cell &cell = cells[active_cells[c]];
+          const Cell &cell  = cells[active_cells[c]];
+          auto       &slots = active.nodes[c];
           for (unsigned int k = 0; k < Cell::n_nodes; ++k)
-            active.nodes[c][k] = activate_node(cell.node[k]);
-          add_cell(cell, active.sums[c], active.nodes[c], with_forces, sums);
+            slots[k] = activate_node(cell.node[k]);
+          add_cell(cell, active.sums[c], slots, with_forces, sums);
         }
     });
     gather_at_hanging(at_hanging, with_forces);

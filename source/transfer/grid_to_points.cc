@@ -60,7 +60,7 @@ namespace mpm_granular::Transfer
     inline void
     set_shape_values(const Cell                                 &cell,
                      const std::array<Number, std::size_t(dim)> &x,
-                     const unsigned int                          i,
+                     const std::size_t                           i,
                      PointBlock<dim>                            &block)
     {
       Number at_nodes[Cell::n_nodes];
@@ -113,7 +113,7 @@ namespace mpm_granular::Transfer
                 x[d] += time_step * moving;
                 v[d] = kept * v[d] + change;
               }
-            const unsigned int i = p - block.begin;
+            const std::size_t i = p - block.begin;
             set_shape_values(cell, x, i, block);
             for (unsigned int d = 0; d < dim; ++d)
               {

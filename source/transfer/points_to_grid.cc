@@ -1,7 +1,10 @@
 #include <mpm_granular/core/lanes.h>
+#include <mpm_granular/transfer/point_groups.h>
 #include <mpm_granular/transfer/points_to_grid.h>
 
 #include <algorithm>
+#include <array>
+#include <type_traits>
 
 namespace mpm_granular::Transfer
 {
@@ -17,20 +20,15 @@ namespace mpm_granular::Transfer
       MovingPoints(const Points::PointArrays<dim> &points,
                    const PointBlock<dim>          &block)
         : n_points(points.size())
-        , begin(block.begin)
+        , block(block)
         , mass(points.mass.data())
-      {
-        for (unsigned int d = 0; d < dim; ++d)
-          velocity[d] = points.velocity[d].data();
-        for (unsigned int k = 0; k < shape_values.size(); ++k)
-          shape_values[k] = block.shape_values[k].data();
-      }
+        , velocity(pointers(points.velocity))
+      {}
 
-      unsigned int                            n_points; ///< of all blocks
-      unsigned int                            begin;    ///< of the block
-      const double                           *mass;
-      std::array<const double *, dim>         velocity;
-      std::array<const double *, (1u << dim)> shape_values; ///< from begin on
+      unsigned int                    n_points; ///< of all blocks
+      const PointBlock<dim>          &block;
+      const double                   *mass;
+      std::array<const double *, dim> velocity;
     };
 
     /// Mass and momentum of some points of a cell.
@@ -46,13 +44,14 @@ namespace mpm_granular::Transfer
       void
       add(const MovingPoints<Cell::dim> &points, const Points::Run range)
       {
-        for (unsigned int p = range.begin; p < range.end; ++p)
+        for (std::size_t p = range.begin; p < range.end; ++p)
           {
             double shape_value[n_nodes], weighted[n_nodes];
             for (unsigned int k = 0; k < n_nodes; ++k)
               {
-                shape_value[k] = points.shape_values[k][p - points.begin];
-                weighted[k]    = points.mass[p] * shape_value[k];
+                shape_value[k] =
+                  points.block.shape_values[k][p - points.block.begin];
+                weighted[k] = points.mass[p] * shape_value[k];
               }
             mass.add(shape_value, weighted);
             for (unsigned int d = 0; d < Cell::dim; ++d)
@@ -91,39 +90,38 @@ namespace mpm_granular::Transfer
       void
       add(const MovingPoints<3> &points, const Points::Run range)
       {
-        for (unsigned int p = range.begin; p < range.end; p += Lanes::n)
-          {
-            const unsigned int i         = p - points.begin;
-            const bool         is_last   = p + Lanes::n > points.n_points;
-            Lanes              of_points = 0.;
-            if (is_last)
-              for (unsigned int q = 0; p + q < range.end; ++q)
-                of_points.data[q] = points.mass[p + q];
-            else
-              of_points = first_of(load<Lanes>(points.mass + p), range.end - p);
-
-            Lanes weighted[4]; // lanes of points, then of nodes
-            for (unsigned int k = 0; k < 4; ++k)
-              weighted[k] = of_points * load<Lanes>(points.shape_values[k] + i);
-            transpose(weighted);
-
-            const unsigned int n = is_last ? points.n_points - p : Lanes::n;
-            if (n == Lanes::n)
+        for_each_group(range, points.n_points, [&](const auto type, auto p) {
+          using Number        = std::decay_t<decltype(type)>;
+          const std::size_t i = p - points.block.begin;
+          const Number      of_points =
+            first_of(load<Number>(points.mass + p), range.end - p);
+          Number weighted[4];
+          for (unsigned int k = 0; k < 4; ++k)
+            weighted[k] =
+              of_points * load<Number>(&points.block.shape_values[k][i]);
+          if constexpr (std::is_same_v<Number, Lanes>)
+            {
+              transpose(weighted); // lanes of points, then of nodes
               for (unsigned int q = 0; q < Lanes::n; ++q)
-                add(points, p + q, weighted[q]);
-            else
-              for (unsigned int q = 0; q < n; ++q)
-                add(points, p + q, weighted[q]);
-          }
+                add(points, p + q, i + q, weighted[q]);
+            }
+          else
+            add(points,
+                p,
+                i,
+                Lanes(weighted[0], weighted[1], weighted[2], weighted[3]));
+        });
       }
 
+      /// Adds point @p p, which is at place @p i of the block.
       void
       add(const MovingPoints<3> &points,
-          const unsigned int     p,
+          const std::size_t      p,
+          const std::size_t      i,
           const Lanes           &weighted)
       {
         for (unsigned int k = 0; k < 4; ++k)
-          mass[k] += weighted * points.shape_values[k][p - points.begin];
+          mass[k] += weighted * points.block.shape_values[k][i];
         for (unsigned int d = 0; d < 3; ++d)
           momentum[d] += weighted * points.velocity[d][p];
       }
@@ -155,50 +153,52 @@ namespace mpm_granular::Transfer
     struct StressesOfPoints
     {
       StressesOfPoints(const Points::PointArrays<dim> &points)
-        : volume(points.volume.data())
+        : n_points(points.size())
+        , volume(points.volume.data())
       {
         for (unsigned int s = 0; s < n_stress<dim>; ++s)
           stress[s] = points.stress[s].data();
       }
 
+      unsigned int                              n_points; ///< of all blocks
       const double                             *volume;
       std::array<const double *, n_stress<dim>> stress;
     };
 
-    /// Adds V sigma of points in sequence: four points at a time, then their
-    /// sum; of the last four only those that belong to them.
+    /// Adds V sigma of points in sequence: with a lane for each of four points,
+    /// then the sums of the lanes; of the last four only those that belong to
+    /// them.
     template <int dim>
     inline void
     add_stress(const Mesh::SimplexCell<dim> &,
-               const Points::PointArrays<dim>           &points,
+               const Points::PointArrays<dim> &,
                const StressesOfPoints<dim>              &of_points,
                const Points::Run                         range,
                Grid::StressSums<Mesh::SimplexCell<dim>> &sums)
     {
-      for (unsigned int p = range.begin; p < range.end; p += Lanes::n)
-        if (p + Lanes::n <= points.size())
-          {
-            const Lanes volume =
-              first_of(load<Lanes>(of_points.volume + p), range.end - p);
-            for (unsigned int s = 0; s < n_stress<dim>; s += Lanes::n)
-              {
-                // From lanes of points to lanes of components.
-                const unsigned int n = std::min(n_stress<dim> - s, Lanes::n);
-                Lanes              parts[Lanes::n];
-                for (unsigned int c = 0; c < Lanes::n; ++c)
-                  parts[c] =
-                    c < n ? volume * load<Lanes>(of_points.stress[s + c] + p) :
-                            Lanes(0.);
-                transpose(parts);
-                const Lanes sum = (parts[0] + parts[1]) + (parts[2] + parts[3]);
-                for (unsigned int c = 0; c < n; ++c)
-                  sums.stress[s + c] += sum.data[c];
-              }
-          }
-        else
-          for (unsigned int q = p; q < range.end; ++q)
-            for (unsigned int s = 0; s < n_stress<dim>; ++s)
-              sums.stress[s] += of_points.volume[q] * of_points.stress[s][q];
+      // Two arrays, so that compilers keep both in registers.
+      constexpr unsigned int    n_rest          = n_stress<dim> - Lanes::n;
+      Lanes                     first[Lanes::n] = {0., 0., 0., 0.};
+      std::array<Lanes, n_rest> rest;
+      rest.fill(0.);
+      for_each_group(range, of_points.n_points, [&](const auto type, auto p) {
+        using Number = std::decay_t<decltype(type)>;
+        const Number volume =
+          first_of(load<Number>(of_points.volume + p), range.end - p);
+        const auto part = [&](const unsigned int s) {
+          return volume * load<Number>(of_points.stress[s] + p);
+        };
+        for (unsigned int s = 0; s < Lanes::n; ++s)
+          accumulate(first[s], part(s));
+        for (unsigned int s = 0; s < n_rest; ++s)
+          accumulate(rest[s], part(Lanes::n + s));
+      });
+      transpose(first);
+      store(load<Lanes>(sums.stress.data()) +
+              ((first[0] + first[1]) + (first[2] + first[3])),
+            sums.stress.data());
+      for (unsigned int s = 0; s < n_rest; ++s)
+        sums.stress[Lanes::n + s] += sum_of(rest[s]);
     }
 
     /// Adds the forces of a point.
@@ -243,7 +243,7 @@ namespace mpm_granular::Transfer
                const Points::Run                     range,
                Grid::StressSums<Mesh::BoxCell<dim>> &sums)
     {
-      for (unsigned int p = range.begin; p < range.end; ++p)
+      for (std::size_t p = range.begin; p < range.end; ++p)
         add_force(cell, points, of_points, p, sums);
     }
   } // namespace

@@ -198,10 +198,10 @@ namespace mpm_granular::Transfer
                 at_origin[k] -= gradients[k][d] * node[center + d];
             }
           for_each_group(run, n_points, [&](const auto type, const auto p) {
-            using Number         = std::decay_t<decltype(type)>;
-            const unsigned int i = p - block.begin;
-            const auto         x = load_all<Number>(place, p);
-            Number             sum(0.);
+            using Number        = std::decay_t<decltype(type)>;
+            const std::size_t i = p - block.begin;
+            const auto        x = load_all<Number>(place, p);
+            Number            sum(0.);
             for (unsigned int k = 0; k < Cell::n_nodes; ++k)
               {
                 Number from_node(at_origin[k]);

@@ -121,7 +121,7 @@ namespace mpm_granular
   inline void
   accumulate(Lanes &sum, const double value)
   {
-    sum.data[0] += value;
+    sum += Lanes(value, 0., 0., 0.);
   }
 
   /// Adds @p factor times @p value to @p sum.

@@ -17,4 +17,16 @@
 #  define MPM_INDEPENDENT_ITERATIONS
 #endif
 
+/**
+ * Stands before a for loop that mostly has one iteration or two, so that the
+ * compiler does not unroll it.
+ */
+#if defined(__clang__)
+#  define MPM_FEW_ITERATIONS _Pragma("clang loop unroll(disable)")
+#elif defined(__GNUC__)
+#  define MPM_FEW_ITERATIONS _Pragma("GCC unroll 1")
+#else
+#  define MPM_FEW_ITERATIONS
+#endif
+
 #endif

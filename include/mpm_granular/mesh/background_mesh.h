@@ -258,11 +258,18 @@ namespace mpm_granular::Mesh
       return hanging;
     }
 
+    /// Whether there are no hanging nodes.
+    bool
+    is_conforming() const
+    {
+      return hanging.n_constraints() == 0;
+    }
+
     /// Whether a cell has vertices that are hanging nodes.
     bool
     has_hanging_vertex(const unsigned int cell) const
     {
-      return hanging.n_constraints() > 0 && at_hanging[cell];
+      return !is_conforming() && at_hanging[cell];
     }
 
     /// The free nodes that the linear space on a cell depends on.

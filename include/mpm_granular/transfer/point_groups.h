@@ -2,9 +2,11 @@
 #define mpm_granular_transfer_point_groups_h
 
 #include <mpm_granular/core/lanes.h>
+#include <mpm_granular/core/vectorize.h>
 #include <mpm_granular/points/point_arrays.h>
 
 #include <array>
+#include <cstddef>
 
 namespace mpm_granular::Transfer
 {
@@ -32,7 +34,7 @@ namespace mpm_granular::Transfer
   /// The components of a vector field at a point (Number = double) or at four.
   template <class Number, class Pointer, std::size_t n>
   std::array<Number, n>
-  load_all(const std::array<Pointer, n> &components, const unsigned int index)
+  load_all(const std::array<Pointer, n> &components, const std::size_t index)
   {
     std::array<Number, n> result;
     for (unsigned int d = 0; d < n; ++d)
@@ -42,9 +44,10 @@ namespace mpm_granular::Transfer
 
   /**
    * Calls @p action(type, p) for the points of a run, four at a time from
-   * point p on (type Lanes) or, where the last of four would be behind the
-   * last of all points, one by one (type double). The last four may go beyond
-   * the end of the run.
+   * point p on (type Lanes), of which the last may be beyond the end of the
+   * run. Or one by one (type double), if they could be beyond the last of all
+   * points: in a loop of its own, or the four would be slower. The index p is
+   * wide, as compilers add no numbers to one that could wrap.
    */
   template <class Action>
   inline void
@@ -52,12 +55,15 @@ namespace mpm_granular::Transfer
                  const unsigned int n_points,
                  Action           &&action)
   {
-    for (unsigned int p = run.begin; p < run.end; p += Lanes::n)
-      if (p + Lanes::n <= n_points)
-        action(Lanes(), p);
-      else
-        for (unsigned int q = p; q < run.end; ++q)
-          action(double(), q);
+    if (run.end + Lanes::n - 1 <= n_points)
+      {
+        MPM_FEW_ITERATIONS
+        for (std::size_t p = run.begin; p < run.end; p += Lanes::n)
+          action(Lanes(), p);
+      }
+    else
+      for (std::size_t p = run.begin; p < run.end; ++p)
+        action(double(), p);
   }
 } // namespace mpm_granular::Transfer
 
