@@ -309,13 +309,14 @@ namespace mpm_granular::Grid
     unsigned int
     activate_node(const unsigned int node)
     {
-      if (!is_active_node(node))
+      unsigned int &slot = node_slot[node];
+      if (slot == no_slot)
         {
-          node_slot[node] = active_nodes.size();
+          slot = active_nodes.size();
           active_nodes.push_back(node);
           sums.emplace_back();
         }
-      return node_slot[node];
+      return slot;
     }
 
     void
