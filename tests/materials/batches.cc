@@ -77,9 +77,8 @@ test(const std::string              &law_name,
   const double released =
     Materials::update_stress<dim>(*law,
                                   together,
-                                  make_array_view(runs.cbegin(), runs.cend()),
-                                  make_array_view(gradients.cbegin(),
-                                                  gradients.cend()),
+                                  {runs.data(), runs.size()},
+                                  {gradients.data(), gradients.size()},
                                   time_step);
 
   double released_alone = 0.;
