@@ -31,30 +31,12 @@ namespace mpm_granular
 
     /// @param entries n numbers, each that of the one before or the next
     ///   greater.
-    explicit Selection(const std::uint32_t *entries)
-#ifdef __AVX512F__
-      : first(entries[0])
-      , offsets(_mm512_cvtepu32_epi64(_mm256_sub_epi32(
-          _mm256_loadu_si256(reinterpret_cast<const __m256i *>(entries)),
-          _mm256_set1_epi32(entries[0])))){}
-#else
-      : entries(entries)
-    {}
-#endif
+    explicit Selection(const std::uint32_t *entries);
 
-      /// Copies the entries of @p from to the first n of @p to.
-      /// @param from readable up to n entries from the first selected one on.
-      void copy(const double *from, double *to) const
-    {
-#ifdef __AVX512F__
-      _mm512_storeu_pd(to,
-                       _mm512_permutexvar_pd(offsets,
-                                             _mm512_loadu_pd(from + first)));
-#else
-      for (unsigned int i = 0; i < n; ++i)
-        to[i] = from[entries[i]];
-#endif
-    }
+    /// Copies the entries of @p from to the first n of @p to.
+    /// @param from readable up to n entries from the first selected one on.
+    void
+    copy(const double *from, double *to) const;
 
   private:
 #ifdef __AVX512F__
@@ -64,6 +46,36 @@ namespace mpm_granular
     const std::uint32_t *entries;
 #endif
   };
+
+#ifdef __AVX512F__
+  // With a mask of all lanes, as of functions without one g++ warns.
+  inline Selection::Selection(const std::uint32_t *entries)
+    : first(entries[0])
+  {
+    const __m256i all =
+      _mm256_loadu_si256(reinterpret_cast<const __m256i *>(entries));
+    offsets = _mm512_maskz_cvtepu32_epi64(
+      0xff, _mm256_sub_epi32(all, _mm256_set1_epi32(first)));
+  }
+
+  inline void
+  Selection::copy(const double *from, double *to) const
+  {
+    const __m512d near = _mm512_loadu_pd(from + first);
+    _mm512_storeu_pd(to, _mm512_maskz_permutexvar_pd(0xff, offsets, near));
+  }
+#else
+  inline Selection::Selection(const std::uint32_t *entries)
+    : entries(entries)
+  {}
+
+  inline void
+  Selection::copy(const double *from, double *to) const
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      to[i] = from[entries[i]];
+  }
+#endif
 
   inline void
   store(const Selection::Entries &entries, std::uint32_t *to)

@@ -135,11 +135,11 @@ namespace mpm_granular::Solver
     const std::vector<const Materials::ConstitutiveLaw<dim> *> &laws;
     Transfer::Averaging<dim>                                   &averaging;
     const Transfer::VelocityUpdate<dim>                        &velocity_update;
-    const Transfer::SettledPressures<dim>    &settled_pressures;
-    Transfer::PointBlock<dim>                 block;
-    Transfer::PressureFilter<dim>             filter;
-    typename Transfer::PointBlock<dim>::Array smooth_pressure =
-      {}; ///< of the points of the block [Pa]
+    const Transfer::SettledPressures<dim> &settled_pressures;
+    Transfer::PointBlock<dim>              block;
+    Transfer::PressureFilter<dim>          filter;
+    /// Of the points of the block [Pa].
+    typename Transfer::PointBlock<dim>::Array smooth_pressure = {};
   };
 } // namespace mpm_granular::Solver
 
