@@ -27,7 +27,7 @@ namespace mpm_granular::Solver
 
   /**
    * The one pass over the points of a time step. It goes block by block, so
-   * that the points of a block stay in the first-level cache from reading them
+   * that the points of a block stay in the nearest caches from reading them
    * once to writing them once, while grid to points, law, walk and points to
    * grid each do their part.
    */

@@ -15,7 +15,7 @@ namespace mpm_granular::Transfer
 {
   /**
    * Some hundred consecutive points, the unit in which the sweep works: small
-   * enough to stay in the first-level cache while it goes from room to room,
+   * enough to stay in the nearest caches while it goes from room to room,
    * large enough that calls and set-up do not count.
    */
   template <int dim>
