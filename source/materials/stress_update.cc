@@ -36,8 +36,8 @@ namespace mpm_granular::Materials
 
 
     /// Takes the next batch off the front of the runs. It begins with run
-    /// @p run, of which @p n_taken points are in earlier batches; both are
-    /// advanced to where the next batch begins.
+    /// @p run, which is not empty, and of which @p n_taken points are in earlier
+    /// batches; both are advanced to where the next batch begins.
     template <int dim>
     void
     take_batch(const ArrayView<const Points::Run> runs,
@@ -57,7 +57,6 @@ namespace mpm_granular::Materials
           // Beyond the run's end this is overwritten for the next one.
           store(entries, &batch.run_of[n]);
           const unsigned int end = std::min(runs[run].end - begin, capacity);
-          Assert(n < end, ExcMessage("A run is empty."));
           if (end > n + Selection::n) // rare
             std::fill(&batch.run_of[n + Selection::n],
                       &batch.run_of[end],
@@ -70,7 +69,8 @@ namespace mpm_granular::Materials
               ++run;
               n_taken = 0;
             }
-      } while (n < capacity && run < n_runs && runs[run].begin == begin + n);
+      } while (n < capacity && run < n_runs && runs[run].begin == begin + n &&
+               runs[run].end > begin + n);
       store(entries - 1, &batch.run_of[n]);
       batch.range  = {begin, begin + n};
       batch.n_runs = entries[0];
@@ -141,6 +141,11 @@ namespace mpm_granular::Materials
     double                released_energy = 0.;
     for (unsigned int run = 0, n_taken = 0; run < runs.size();)
       {
+        if (runs[run].begin == runs[run].end)
+          {
+            ++run;
+            continue;
+          }
         take_batch(runs, run, n_taken, batch);
         of_runs.compute(ArrayView<const Tensor<2, dim>>(
                           &velocity_gradients[batch.first_run], batch.n_runs),

@@ -155,10 +155,8 @@ namespace mpm_granular::Transfer
       StressesOfPoints(const Points::PointArrays<dim> &points)
         : n_points(points.size())
         , volume(points.volume.data())
-      {
-        for (unsigned int s = 0; s < n_stress<dim>; ++s)
-          stress[s] = points.stress[s].data();
-      }
+        , stress(pointers(points.stress))
+      {}
 
       unsigned int                              n_points; ///< of all blocks
       const double                             *volume;

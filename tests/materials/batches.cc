@@ -155,6 +155,10 @@ main()
   auto       backwards  = with_gaps;
   std::reverse(backwards.begin(), backwards.end());
   const auto full_batches = make_runs(500, {8}, 1000);
+  auto       with_empty   = short_runs;
+  with_empty.insert(with_empty.begin() + 3,
+                    100,
+                    {with_empty[3].begin, with_empty[3].begin});
 
   for (const auto &[what, runs] :
        {std::make_pair("short runs", short_runs),
@@ -162,6 +166,7 @@ main()
         std::make_pair("long runs", long_runs),
         std::make_pair("runs backwards", backwards),
         std::make_pair("batches that are full", full_batches),
+        std::make_pair("empty runs", with_empty),
         std::make_pair("no runs", std::vector<Points::Run>())})
     {
       test<2>(granular, {}, what, runs);

@@ -13,7 +13,6 @@ namespace mpm_granular::Materials
    * (points of other laws may lie between), but it is fastest if they do.
    * Nothing is allocated; what the step does to a run is computed once.
    *
-   * @param runs none of them empty.
    * @param velocity_gradients L_ij = dv_i/dx_j of each run [1/s].
    * @param time_step [s].
    * @return elastic energy that the law took out of the points
