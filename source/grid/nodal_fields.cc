@@ -48,13 +48,12 @@ namespace mpm_granular::Grid
     std::vector<unsigned int> at_hanging;
     mesh.visit([&](const auto &cells) {
       using Cell = typename std::decay_t<decltype(cells)>::value_type;
-      auto              &active        = this->template cells<Cell>();
-      const unsigned int n_cells       = active_cells.size();
-      const bool         is_conforming = mesh.is_conforming();
+      auto              &active  = this->template cells<Cell>();
+      const unsigned int n_cells = active_cells.size();
       active.nodes.resize(n_cells);
       for (unsigned int c = 0; c < n_cells; ++c)
         {
-          if (!is_conforming && mesh.has_hanging_vertex(active_cells[c]))
+          if (mesh.has_hanging_vertex(active_cells[c]))
             {
               at_hanging.push_back(c);
               continue;

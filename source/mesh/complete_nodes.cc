@@ -227,7 +227,10 @@ namespace mpm_granular::Mesh
         add_mean(node, mean_of(global_nodes[node]));
     hanging.close();
 
-    at_hanging.assign(n_cells(), false);
+    at_hanging.clear();
+    if (hanging.n_constraints() == 0)
+      return;
+    at_hanging.resize(n_cells(), false);
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
       for (const unsigned int node : nodes(cell))
         if (hanging.is_constrained(node))

@@ -258,18 +258,11 @@ namespace mpm_granular::Mesh
       return hanging;
     }
 
-    /// Whether there are no hanging nodes.
-    bool
-    is_conforming() const
-    {
-      return hanging.n_constraints() == 0;
-    }
-
     /// Whether a cell has vertices that are hanging nodes.
     bool
     has_hanging_vertex(const unsigned int cell) const
     {
-      return !is_conforming() && at_hanging[cell];
+      return !at_hanging.empty() && at_hanging[cell];
     }
 
     /// The free nodes that the linear space on a cell depends on.
@@ -473,10 +466,11 @@ namespace mpm_granular::Mesh
     std::vector<dealii::Point<dim>>              node_positions;
     std::vector<double>                          node_volumes;
     std::vector<BoundaryFace<dim>>               faces;
-    dealii::AffineConstraints<double>            hanging;    ///< by node
-    std::vector<bool>                            at_hanging; ///< by cell
-    dealii::BoundingBox<dim>                     box;
-    double                                       mean_size = 0.;
+    dealii::AffineConstraints<double>            hanging; ///< by node
+    /// By cell; empty if there are no hanging nodes.
+    std::vector<bool>        at_hanging;
+    dealii::BoundingBox<dim> box;
+    double                   mean_size = 0.;
   };
 
   /// A place as "(x, y, z) m", for messages.
